@@ -19,6 +19,8 @@ module splat_pins (
     reg [15:0] drive_splat_attribute_12, drive_splat_cardinal_0;
     reg catch_read_valid, drive_read_ready;
     reg [11:0] catch_read_tile;
+    reg [5:0] catch_read_pixel;
+    reg [3:0] catch_read_count;
     reg drive_data_valid, catch_data_ready;
     reg [27:0] drive_data_weight;
     reg [51:0] drive_data_depth;
@@ -45,7 +47,7 @@ module splat_pins (
     reg [15:0] catch_fragment_attribute_12, catch_fragment_cardinal_0;
     reg catch_event_sample, catch_event_starved, catch_event_blocked, catch_event_accumulate;
     reg catch_event_hazard, catch_event_slot_wait;
-    reg [157:0] fold_0;
+    reg [159:0] fold_0;
     reg [39:0] fold_1;
     reg [9:0] fold_2;
     reg [2:0] fold_3;
@@ -53,6 +55,8 @@ module splat_pins (
 
     wire unit_splat_ready, unit_read_valid;
     wire [11:0] unit_read_tile;
+    wire [5:0] unit_read_pixel;
+    wire [3:0] unit_read_count;
     wire unit_data_ready, unit_write_valid;
     wire [11:0] unit_write_tile;
     wire [5:0] unit_write_pixel;
@@ -229,10 +233,12 @@ module splat_pins (
     wire fold_0_unequal_154 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1] ^ catch_write_tile[2];
     wire fold_0_unequal_155 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5] ^ catch_write_tile[6];
     wire fold_0_unequal_156 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9] ^ catch_write_tile[10];
-    wire fold_0_unequal_157 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready ^ catch_read_tile[0];
-    wire fold_0_unequal_158 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3] ^ catch_read_tile[4];
-    wire fold_0_unequal_159 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7] ^ catch_read_tile[8];
-    wire fold_0_unequal_160 = catch_read_tile[9] ^ catch_read_tile[10] ^ catch_read_tile[11] ^ catch_read_valid;
+    wire fold_0_unequal_157 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready ^ catch_read_count[0];
+    wire fold_0_unequal_158 = catch_read_count[1] ^ catch_read_count[2] ^ catch_read_count[3] ^ catch_read_pixel[0];
+    wire fold_0_unequal_159 = catch_read_pixel[1] ^ catch_read_pixel[2] ^ catch_read_pixel[3] ^ catch_read_pixel[4];
+    wire fold_0_unequal_160 = catch_read_pixel[5] ^ catch_read_tile[0] ^ catch_read_tile[1] ^ catch_read_tile[2];
+    wire fold_0_unequal_161 = catch_read_tile[3] ^ catch_read_tile[4] ^ catch_read_tile[5] ^ catch_read_tile[6];
+    wire fold_0_unequal_162 = catch_read_tile[7] ^ catch_read_tile[8] ^ catch_read_tile[9] ^ catch_read_tile[10];
 
     assign serial_out = fold_4;
 
@@ -253,6 +259,7 @@ module splat_pins (
         .splat_attribute_11(drive_splat_attribute_11), .splat_attribute_12(drive_splat_attribute_12),
         .splat_cardinal_0(drive_splat_cardinal_0),
         .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_tile(unit_read_tile),
+        .read_pixel(unit_read_pixel), .read_count(unit_read_count),
         .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
         .data_depth(drive_data_depth), .data_peak(drive_data_peak), .data_attribute_0(drive_data_attribute_0),
         .data_attribute_1(drive_data_attribute_1), .data_attribute_2(drive_data_attribute_2),
@@ -321,6 +328,8 @@ module splat_pins (
         catch_read_valid <= unit_read_valid;
         drive_read_ready <= drive_splat_cardinal_0[15];
         catch_read_tile <= unit_read_tile;
+        catch_read_pixel <= unit_read_pixel;
+        catch_read_count <= unit_read_count;
         drive_data_valid <= drive_read_ready;
         catch_data_ready <= unit_data_ready;
         drive_data_weight <= {drive_data_weight[26:0], drive_data_valid};
@@ -465,7 +474,8 @@ module splat_pins (
             fold_0_unequal_149 ^ catch_write_weight[16], fold_0_unequal_150 ^ catch_write_weight[20],
             fold_0_unequal_151 ^ catch_write_weight[24], fold_0_unequal_152 ^ catch_write_pixel[0],
             fold_0_unequal_153 ^ catch_write_pixel[4], fold_0_unequal_154, fold_0_unequal_155, fold_0_unequal_156,
-            fold_0_unequal_157, fold_0_unequal_158, fold_0_unequal_159, fold_0_unequal_160, catch_splat_ready
+            fold_0_unequal_157, fold_0_unequal_158, fold_0_unequal_159, fold_0_unequal_160, fold_0_unequal_161,
+            fold_0_unequal_162, catch_read_tile[11] ^ catch_read_valid ^ catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
@@ -494,7 +504,8 @@ module splat_pins (
             fold_0[140] ^ fold_0[141] ^ fold_0[142] ^ fold_0[143],
             fold_0[144] ^ fold_0[145] ^ fold_0[146] ^ fold_0[147],
             fold_0[148] ^ fold_0[149] ^ fold_0[150] ^ fold_0[151],
-            fold_0[152] ^ fold_0[153] ^ fold_0[154] ^ fold_0[155], fold_0[156] ^ fold_0[157]
+            fold_0[152] ^ fold_0[153] ^ fold_0[154] ^ fold_0[155],
+            fold_0[156] ^ fold_0[157] ^ fold_0[158] ^ fold_0[159]
         };
         fold_2 <= {
             fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],

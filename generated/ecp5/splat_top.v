@@ -32,9 +32,11 @@ module splat_top (
     input  wire [15:0] splat_attribute_11,  // Attributes.
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
-    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
     output wire [11:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -91,12 +93,12 @@ module splat_top (
     output wire [15:0] fragment_attribute_11,  // Attributes.
     output wire [15:0] fragment_attribute_12,  // Attributes.
     output wire [15:0] fragment_cardinal_0,  // Attributes.
-    output wire event_sample,  // The rasterizer evaluated a sample.
-    output wire event_starved,  // The rasterizer had no copy to work on.
-    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
-    output wire event_accumulate,  // The accumulator took a sample.
-    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
-    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
+    output wire event_sample,  // Rasterizers that evaluated a sample.
+    output wire event_starved,  // Rasterizers that had no copy to work on.
+    output wire event_blocked,  // Rasterizers whose pipeline was held by what follows it.
+    output wire event_accumulate,  // Accumulators that took a sample.
+    output wire event_hazard,  // Accumulators that waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // Accumulators that waited for a tile to arrive in the cache.
 );
     reg [23:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
     reg [23:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
@@ -125,7 +127,7 @@ module splat_top (
     wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
     wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
-    wire splitter_in_ready, splitter_out_valid, splitter_out_end;
+    wire splitter_in_ready, splitter_out_valid, splitter_out_end, splitter_out_first;
     wire [23:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
     wire [23:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
     wire splitter_out_sight_negative;
@@ -141,88 +143,16 @@ module splat_top (
     wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
     wire [3:0] splitter_out_last_difference;
     wire [11:0] splitter_out_tile;
-    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
-    wire [23:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
-    wire [23:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my;
-    wire reorder_out_sight_negative;
-    wire [22:0] reorder_out_sight_near, reorder_out_sight_far;
-    wire reorder_out_sight_turned, reorder_out_sight_disc;
-    wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
-    wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2, reorder_out_attribute_3;
-    wire [15:0] reorder_out_attribute_4, reorder_out_attribute_5, reorder_out_attribute_6, reorder_out_attribute_7;
-    wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
-    wire [15:0] reorder_out_attribute_12, reorder_out_cardinal_0;
-    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
-    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
-    wire [3:0] reorder_out_last_difference;
-    wire [11:0] reorder_out_tile;
-    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
-    wire [23:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
-    wire [23:0] tile_cache_out_ay, tile_cache_out_by, tile_cache_out_delta, tile_cache_out_mx, tile_cache_out_my;
-    wire tile_cache_out_sight_negative;
-    wire [22:0] tile_cache_out_sight_near, tile_cache_out_sight_far;
-    wire tile_cache_out_sight_turned, tile_cache_out_sight_disc;
-    wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
-    wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
-    wire [15:0] tile_cache_out_attribute_3, tile_cache_out_attribute_4, tile_cache_out_attribute_5;
-    wire [15:0] tile_cache_out_attribute_6, tile_cache_out_attribute_7, tile_cache_out_attribute_8;
-    wire [15:0] tile_cache_out_attribute_9, tile_cache_out_attribute_10, tile_cache_out_attribute_11;
-    wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
-    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
-    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
-    wire [3:0] tile_cache_out_last_difference;
-    wire [11:0] tile_cache_out_tile;
-    wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
-    wire [11:0] tile_cache_pixel_tile;
-    wire [5:0] tile_cache_pixel_pixel;
-    wire [27:0] tile_cache_pixel_weight;
-    wire [51:0] tile_cache_pixel_depth;
-    wire [15:0] tile_cache_pixel_peak, tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1;
-    wire [15:0] tile_cache_pixel_attribute_2, tile_cache_pixel_attribute_3, tile_cache_pixel_attribute_4;
-    wire [15:0] tile_cache_pixel_attribute_5, tile_cache_pixel_attribute_6, tile_cache_pixel_attribute_7;
-    wire [15:0] tile_cache_pixel_attribute_8, tile_cache_pixel_attribute_9, tile_cache_pixel_attribute_10;
-    wire [15:0] tile_cache_pixel_attribute_11, tile_cache_pixel_attribute_12, tile_cache_pixel_cardinal_0;
-    wire [1:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid, tile_cache_fill_slot;
-    wire [5:0] tile_cache_fill_pixel;
-    wire [27:0] tile_cache_fill_weight;
-    wire [51:0] tile_cache_fill_depth;
-    wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
-    wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
-    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
-    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
-    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
-    wire tile_cache_drain_enable, tile_cache_drain_slot;
-    wire [5:0] tile_cache_drain_pixel;
-    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside, rasterizer_out_slot;
-    wire [5:0] rasterizer_out_pixel;
-    wire [15:0] rasterizer_out_weight;
-    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
-    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
-    wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
-    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
-    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
-    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
-    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire weighting_out_slot;
-    wire [5:0] weighting_out_pixel;
-    wire [15:0] weighting_out_weight;
-    wire [39:0] weighting_out_weighted_depth;
-    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
-    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
-    wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
-    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
-    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
-    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
-    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
-    wire [27:0] accumulator_drain_weight;
-    wire [51:0] accumulator_drain_depth;
-    wire [15:0] accumulator_drain_peak, accumulator_drain_attribute_0, accumulator_drain_attribute_1;
-    wire [15:0] accumulator_drain_attribute_2, accumulator_drain_attribute_3, accumulator_drain_attribute_4;
-    wire [15:0] accumulator_drain_attribute_5, accumulator_drain_attribute_6, accumulator_drain_attribute_7;
-    wire [15:0] accumulator_drain_attribute_8, accumulator_drain_attribute_9, accumulator_drain_attribute_10;
-    wire [15:0] accumulator_drain_attribute_11, accumulator_drain_attribute_12, accumulator_drain_cardinal_0;
+    wire lane_0_in_ready, lane_0_pixel_valid, lane_0_pixel_end;
+    wire [11:0] lane_0_pixel_tile;
+    wire [5:0] lane_0_pixel_pixel;
+    wire [27:0] lane_0_pixel_weight;
+    wire [51:0] lane_0_pixel_depth;
+    wire [15:0] lane_0_pixel_peak, lane_0_pixel_attribute_0, lane_0_pixel_attribute_1, lane_0_pixel_attribute_2;
+    wire [15:0] lane_0_pixel_attribute_3, lane_0_pixel_attribute_4, lane_0_pixel_attribute_5;
+    wire [15:0] lane_0_pixel_attribute_6, lane_0_pixel_attribute_7, lane_0_pixel_attribute_8;
+    wire [15:0] lane_0_pixel_attribute_9, lane_0_pixel_attribute_10, lane_0_pixel_attribute_11;
+    wire [15:0] lane_0_pixel_attribute_12, lane_0_pixel_cardinal_0;
     wire normalizer_in_ready;
 
     splat_transform transform (
@@ -316,110 +246,50 @@ module splat_top (
         .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
         .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
         .in_last_difference(setup_out_last_difference),
-        .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
-        .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
-        .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
-        .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_sight_negative(splitter_out_sight_negative), .out_sight_near(splitter_out_sight_near),
-        .out_sight_far(splitter_out_sight_far), .out_sight_turned(splitter_out_sight_turned),
-        .out_sight_disc(splitter_out_sight_disc), .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2), .out_attribute_3(splitter_out_attribute_3),
-        .out_attribute_4(splitter_out_attribute_4), .out_attribute_5(splitter_out_attribute_5),
-        .out_attribute_6(splitter_out_attribute_6), .out_attribute_7(splitter_out_attribute_7),
-        .out_attribute_8(splitter_out_attribute_8), .out_attribute_9(splitter_out_attribute_9),
-        .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
-        .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
-        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
-        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
+        .out_valid(splitter_out_valid), .out_ready(lane_0_in_ready), .out_end(splitter_out_end),
+        .out_first(splitter_out_first), .out_center_x(splitter_out_center_x),
+        .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax), .out_bx(splitter_out_bx),
+        .out_ay(splitter_out_ay), .out_by(splitter_out_by), .out_delta(splitter_out_delta),
+        .out_mx(splitter_out_mx), .out_my(splitter_out_my), .out_sight_negative(splitter_out_sight_negative),
+        .out_sight_near(splitter_out_sight_near), .out_sight_far(splitter_out_sight_far),
+        .out_sight_turned(splitter_out_sight_turned), .out_sight_disc(splitter_out_sight_disc),
+        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
+        .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
+        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
+        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
+        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
+        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
+        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
+        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
+        .out_first_sum(splitter_out_first_sum), .out_last_sum(splitter_out_last_sum),
+        .out_first_difference(splitter_out_first_difference),
         .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
-    splat_reorder reorder (
-        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
-        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
-        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
-        .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_sight_negative(splitter_out_sight_negative), .in_sight_near(splitter_out_sight_near),
-        .in_sight_far(splitter_out_sight_far), .in_sight_turned(splitter_out_sight_turned),
-        .in_sight_disc(splitter_out_sight_disc), .in_depth(splitter_out_depth),
-        .in_depth_low(splitter_out_depth_low), .in_depth_high(splitter_out_depth_high),
-        .in_attribute_0(splitter_out_attribute_0), .in_attribute_1(splitter_out_attribute_1),
-        .in_attribute_2(splitter_out_attribute_2), .in_attribute_3(splitter_out_attribute_3),
-        .in_attribute_4(splitter_out_attribute_4), .in_attribute_5(splitter_out_attribute_5),
-        .in_attribute_6(splitter_out_attribute_6), .in_attribute_7(splitter_out_attribute_7),
-        .in_attribute_8(splitter_out_attribute_8), .in_attribute_9(splitter_out_attribute_9),
-        .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
-        .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
-        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+    splat_lane lane_0 (
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(lane_0_in_ready),
+        .in_end(splitter_out_end), .in_first(splitter_out_first), .in_center_x(splitter_out_center_x),
+        .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax), .in_bx(splitter_out_bx),
+        .in_ay(splitter_out_ay), .in_by(splitter_out_by), .in_delta(splitter_out_delta),
+        .in_mx(splitter_out_mx), .in_my(splitter_out_my), .in_sight_negative(splitter_out_sight_negative),
+        .in_sight_near(splitter_out_sight_near), .in_sight_far(splitter_out_sight_far),
+        .in_sight_turned(splitter_out_sight_turned), .in_sight_disc(splitter_out_sight_disc),
+        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
+        .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
+        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
+        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
+        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
+        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
+        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
+        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
         .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
         .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
-        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
-        .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
-        .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
-        .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_sight_negative(reorder_out_sight_negative), .out_sight_near(reorder_out_sight_near),
-        .out_sight_far(reorder_out_sight_far), .out_sight_turned(reorder_out_sight_turned),
-        .out_sight_disc(reorder_out_sight_disc), .out_depth(reorder_out_depth),
-        .out_depth_low(reorder_out_depth_low), .out_depth_high(reorder_out_depth_high),
-        .out_attribute_0(reorder_out_attribute_0), .out_attribute_1(reorder_out_attribute_1),
-        .out_attribute_2(reorder_out_attribute_2), .out_attribute_3(reorder_out_attribute_3),
-        .out_attribute_4(reorder_out_attribute_4), .out_attribute_5(reorder_out_attribute_5),
-        .out_attribute_6(reorder_out_attribute_6), .out_attribute_7(reorder_out_attribute_7),
-        .out_attribute_8(reorder_out_attribute_8), .out_attribute_9(reorder_out_attribute_9),
-        .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
-        .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
-        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
-        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
-        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
-    );
-
-    splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
-        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
-        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
-        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_sight_negative(reorder_out_sight_negative), .in_sight_near(reorder_out_sight_near),
-        .in_sight_far(reorder_out_sight_far), .in_sight_turned(reorder_out_sight_turned),
-        .in_sight_disc(reorder_out_sight_disc), .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
-        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
-        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
-        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
-        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
-        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
-        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
-        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
-        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
-        .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
-        .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
-        .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
-        .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_sight_negative(tile_cache_out_sight_negative),
-        .out_sight_near(tile_cache_out_sight_near), .out_sight_far(tile_cache_out_sight_far),
-        .out_sight_turned(tile_cache_out_sight_turned), .out_sight_disc(tile_cache_out_sight_disc),
-        .out_depth(tile_cache_out_depth), .out_depth_low(tile_cache_out_depth_low),
-        .out_depth_high(tile_cache_out_depth_high), .out_attribute_0(tile_cache_out_attribute_0),
-        .out_attribute_1(tile_cache_out_attribute_1), .out_attribute_2(tile_cache_out_attribute_2),
-        .out_attribute_3(tile_cache_out_attribute_3), .out_attribute_4(tile_cache_out_attribute_4),
-        .out_attribute_5(tile_cache_out_attribute_5), .out_attribute_6(tile_cache_out_attribute_6),
-        .out_attribute_7(tile_cache_out_attribute_7), .out_attribute_8(tile_cache_out_attribute_8),
-        .out_attribute_9(tile_cache_out_attribute_9), .out_attribute_10(tile_cache_out_attribute_10),
-        .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
-        .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
-        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
-        .out_first_difference(tile_cache_out_first_difference),
-        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
-        .out_slot(tile_cache_out_slot),
-        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
@@ -437,161 +307,32 @@ module splat_top (
         .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
         .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
         .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
-        .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
-        .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
-        .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
-        .pixel_depth(tile_cache_pixel_depth), .pixel_peak(tile_cache_pixel_peak),
-        .pixel_attribute_0(tile_cache_pixel_attribute_0), .pixel_attribute_1(tile_cache_pixel_attribute_1),
-        .pixel_attribute_2(tile_cache_pixel_attribute_2), .pixel_attribute_3(tile_cache_pixel_attribute_3),
-        .pixel_attribute_4(tile_cache_pixel_attribute_4), .pixel_attribute_5(tile_cache_pixel_attribute_5),
-        .pixel_attribute_6(tile_cache_pixel_attribute_6), .pixel_attribute_7(tile_cache_pixel_attribute_7),
-        .pixel_attribute_8(tile_cache_pixel_attribute_8), .pixel_attribute_9(tile_cache_pixel_attribute_9),
-        .pixel_attribute_10(tile_cache_pixel_attribute_10),
-        .pixel_attribute_11(tile_cache_pixel_attribute_11),
-        .pixel_attribute_12(tile_cache_pixel_attribute_12), .pixel_cardinal_0(tile_cache_pixel_cardinal_0),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
-        .drain_attribute_10(accumulator_drain_attribute_10),
-        .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0)
-    );
-
-    splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
-        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
-        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
-        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my),
-        .in_sight_negative(tile_cache_out_sight_negative), .in_sight_near(tile_cache_out_sight_near),
-        .in_sight_far(tile_cache_out_sight_far), .in_sight_turned(tile_cache_out_sight_turned),
-        .in_sight_disc(tile_cache_out_sight_disc), .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
-        .in_attribute_4(tile_cache_out_attribute_4), .in_attribute_5(tile_cache_out_attribute_5),
-        .in_attribute_6(tile_cache_out_attribute_6), .in_attribute_7(tile_cache_out_attribute_7),
-        .in_attribute_8(tile_cache_out_attribute_8), .in_attribute_9(tile_cache_out_attribute_9),
-        .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
-        .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
-        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
-        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
-        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
-        .in_slot(tile_cache_out_slot),
-        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
-        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
-        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
-        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
-        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
-        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
-        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .pixel_valid(lane_0_pixel_valid), .pixel_ready(normalizer_in_ready), .pixel_end(lane_0_pixel_end),
+        .pixel_tile(lane_0_pixel_tile), .pixel_pixel(lane_0_pixel_pixel), .pixel_weight(lane_0_pixel_weight),
+        .pixel_depth(lane_0_pixel_depth), .pixel_peak(lane_0_pixel_peak),
+        .pixel_attribute_0(lane_0_pixel_attribute_0), .pixel_attribute_1(lane_0_pixel_attribute_1),
+        .pixel_attribute_2(lane_0_pixel_attribute_2), .pixel_attribute_3(lane_0_pixel_attribute_3),
+        .pixel_attribute_4(lane_0_pixel_attribute_4), .pixel_attribute_5(lane_0_pixel_attribute_5),
+        .pixel_attribute_6(lane_0_pixel_attribute_6), .pixel_attribute_7(lane_0_pixel_attribute_7),
+        .pixel_attribute_8(lane_0_pixel_attribute_8), .pixel_attribute_9(lane_0_pixel_attribute_9),
+        .pixel_attribute_10(lane_0_pixel_attribute_10), .pixel_attribute_11(lane_0_pixel_attribute_11),
+        .pixel_attribute_12(lane_0_pixel_attribute_12), .pixel_cardinal_0(lane_0_pixel_cardinal_0),
         .filter_scale(uniform_filter_scale),
-        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
-    );
-
-    splat_weighting weighting (
-        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
-        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
-        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
-        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
-        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
-        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
-        .in_cardinal_0(rasterizer_out_cardinal_0),
-        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
-        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
-        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
-        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
-        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
-        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
-        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
-        .out_cardinal_0(weighting_out_cardinal_0)
-    );
-
-    splat_accumulator accumulator (
-        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
-        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
-        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
-        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
-        .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
-        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
-        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
-        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
-        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
-        .in_cardinal_0(weighting_out_cardinal_0),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
-        .drain_attribute_10(accumulator_drain_attribute_10),
-        .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked),
         .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
-        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
-        .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
-        .in_peak(tile_cache_pixel_peak), .in_attribute_0(tile_cache_pixel_attribute_0),
-        .in_attribute_1(tile_cache_pixel_attribute_1), .in_attribute_2(tile_cache_pixel_attribute_2),
-        .in_attribute_3(tile_cache_pixel_attribute_3), .in_attribute_4(tile_cache_pixel_attribute_4),
-        .in_attribute_5(tile_cache_pixel_attribute_5), .in_attribute_6(tile_cache_pixel_attribute_6),
-        .in_attribute_7(tile_cache_pixel_attribute_7), .in_attribute_8(tile_cache_pixel_attribute_8),
-        .in_attribute_9(tile_cache_pixel_attribute_9), .in_attribute_10(tile_cache_pixel_attribute_10),
-        .in_attribute_11(tile_cache_pixel_attribute_11), .in_attribute_12(tile_cache_pixel_attribute_12),
-        .in_cardinal_0(tile_cache_pixel_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(lane_0_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(lane_0_pixel_end), .in_tile(lane_0_pixel_tile), .in_pixel(lane_0_pixel_pixel),
+        .in_weight(lane_0_pixel_weight), .in_depth(lane_0_pixel_depth), .in_peak(lane_0_pixel_peak),
+        .in_attribute_0(lane_0_pixel_attribute_0), .in_attribute_1(lane_0_pixel_attribute_1),
+        .in_attribute_2(lane_0_pixel_attribute_2), .in_attribute_3(lane_0_pixel_attribute_3),
+        .in_attribute_4(lane_0_pixel_attribute_4), .in_attribute_5(lane_0_pixel_attribute_5),
+        .in_attribute_6(lane_0_pixel_attribute_6), .in_attribute_7(lane_0_pixel_attribute_7),
+        .in_attribute_8(lane_0_pixel_attribute_8), .in_attribute_9(lane_0_pixel_attribute_9),
+        .in_attribute_10(lane_0_pixel_attribute_10), .in_attribute_11(lane_0_pixel_attribute_11),
+        .in_attribute_12(lane_0_pixel_attribute_12), .in_cardinal_0(lane_0_pixel_cardinal_0),
         .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
         .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
         .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
@@ -677,17 +418,26 @@ module splat_normalizer (
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
-    reg [231:0] delay_20_from_0 [0:18];
+    reg [103:0] delay_20_from_0 [0:18];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_20_from_0_copy2 [0:18];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_20_from_0_copy3 [0:18];
     (* ram_style = "distributed" *)
     reg [34:0] delay_30_from_0 [0:28];
+    reg [6:0] credits;
     reg [4:0] delay_20_from_0_pointer;
-    reg [231:0] delay_20_from_0_out;
+    reg [103:0] delay_20_from_0_out;
+    reg [4:0] delay_20_from_0_copy2_pointer;
+    reg [95:0] delay_20_from_0_copy2_out;
+    reg [4:0] delay_20_from_0_copy3_pointer;
+    reg [31:0] delay_20_from_0_copy3_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [34:0] delay_30_from_0_out;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [29:0] in_flight;
+    reg left;
 
-    wire [266:0] queue_out_data;
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
@@ -704,266 +454,501 @@ module splat_normalizer (
     wire [15:0] convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y;
     wire [15:0] convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y;
     wire [15:0] convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y;
+    wire queue_1_in_ready;
+    wire [122:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
 
-    wire end_d30 = delay_30_from_0_out[0];
-    wire [8:0] column_out_d30 = delay_30_from_0_out[25:17];
-    wire [8:0] row_out_d30 = delay_30_from_0_out[34:26];
-    wire [15:0] cardinal_0_d30 = delay_30_from_0_out[16:1];
+    assign in_ready = ~credits[6];
     wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
     wire [15:0] attribute_0_d20 = delay_20_from_0_out[39:24];
     wire [15:0] attribute_1_d20 = delay_20_from_0_out[55:40];
     wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
     wire [15:0] attribute_3_d20 = delay_20_from_0_out[87:72];
     wire [15:0] attribute_4_d20 = delay_20_from_0_out[103:88];
-    wire [15:0] attribute_5_d20 = delay_20_from_0_out[119:104];
-    wire [15:0] attribute_6_d20 = delay_20_from_0_out[135:120];
-    wire [15:0] attribute_7_d20 = delay_20_from_0_out[151:136];
-    wire [15:0] attribute_8_d20 = delay_20_from_0_out[167:152];
-    wire [15:0] attribute_9_d20 = delay_20_from_0_out[183:168];
-    wire [15:0] attribute_10_d20 = delay_20_from_0_out[199:184];
-    wire [15:0] attribute_11_d20 = delay_20_from_0_out[215:200];
-    wire [15:0] attribute_12_d20 = delay_20_from_0_out[231:216];
+    wire [15:0] attribute_5_d20 = delay_20_from_0_copy2_out[15:0];
+    wire [15:0] attribute_6_d20 = delay_20_from_0_copy2_out[31:16];
+    wire [15:0] attribute_7_d20 = delay_20_from_0_copy2_out[47:32];
+    wire [15:0] attribute_8_d20 = delay_20_from_0_copy2_out[63:48];
+    wire [15:0] attribute_9_d20 = delay_20_from_0_copy2_out[79:64];
+    wire [15:0] attribute_10_d20 = delay_20_from_0_copy2_out[95:80];
+    wire [15:0] attribute_11_d20 = delay_20_from_0_copy3_out[15:0];
+    wire [15:0] attribute_12_d20 = delay_20_from_0_copy3_out[31:16];
+    wire kept = in_flight[29];
+    wire end_d30 = delay_30_from_0_out[0];
+    wire [8:0] column_out_d30 = delay_30_from_0_out[25:17];
+    wire [8:0] row_out_d30 = delay_30_from_0_out[34:26];
+    wire [15:0] cardinal_0_d30 = delay_30_from_0_out[16:1];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
         out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
-
-    stream_skid_w267 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(in_ready),
-        .in_data({
-            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
-            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y, convert_f24_ftz_f16_unit_copy4_y,
-            convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y, convert_f24_ftz_f16_unit_copy7_y,
-            convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y, convert_f24_ftz_f16_unit_copy10_y,
-            convert_f24_ftz_f16_unit_copy11_y, convert_f24_ftz_f16_unit_copy12_y,
-            convert_f24_ftz_f16_unit_copy13_y, cardinal_0_d30
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_attribute_3, out_attribute_4
+    } = queue_1_out_data;
+    assign {
+        out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9, out_attribute_10,
+        out_attribute_11, out_attribute_12
+    } = queue_2_out_data;
 
     float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
         .y(mul_f24_ftz_unit_copy13_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
         .y(mul_f24_ftz_unit_copy14_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
+        .clk(clk), .enable(1'd1), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y), .y(convert_f24_ftz_f16_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_y), .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy4_y), .y(convert_f24_ftz_f16_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_y), .y(convert_f24_ftz_f16_unit_copy3_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy5_y), .y(convert_f24_ftz_f16_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy5_y), .y(convert_f24_ftz_f16_unit_copy4_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy6_y), .y(convert_f24_ftz_f16_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy6_y), .y(convert_f24_ftz_f16_unit_copy5_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .y(convert_f24_ftz_f16_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_y), .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy8_y), .y(convert_f24_ftz_f16_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy8_y), .y(convert_f24_ftz_f16_unit_copy7_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy9_y), .y(convert_f24_ftz_f16_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy9_y), .y(convert_f24_ftz_f16_unit_copy8_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy10_y), .y(convert_f24_ftz_f16_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy10_y), .y(convert_f24_ftz_f16_unit_copy9_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy11_y), .y(convert_f24_ftz_f16_unit_copy10_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy11_y), .y(convert_f24_ftz_f16_unit_copy10_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy12_y), .y(convert_f24_ftz_f16_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy12_y), .y(convert_f24_ftz_f16_unit_copy11_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy13_y), .y(convert_f24_ftz_f16_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy13_y), .y(convert_f24_ftz_f16_unit_copy12_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy14_y), .y(convert_f24_ftz_f16_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy14_y), .y(convert_f24_ftz_f16_unit_copy13_y)
+    );
+
+    stream_fifo_d34_w123_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
+            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y, convert_f24_ftz_f16_unit_copy4_y,
+            convert_f24_ftz_f16_unit_copy5_y
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d34_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({
+            convert_f24_ftz_f16_unit_copy6_y, convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y,
+            convert_f24_ftz_f16_unit_copy9_y, convert_f24_ftz_f16_unit_copy10_y,
+            convert_f24_ftz_f16_unit_copy11_y, convert_f24_ftz_f16_unit_copy12_y,
+            convert_f24_ftz_f16_unit_copy13_y
+        }),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d34_w16_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready), .in_data(cardinal_0_d30),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(out_cardinal_0)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd33;
             delay_20_from_0_pointer <= 5'd0;
+            delay_20_from_0_copy2_pointer <= 5'd0;
+            delay_20_from_0_copy3_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
             in_flight <= 30'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+            delay_20_from_0_copy2_pointer <= (delay_20_from_0_copy2_pointer == 5'd18) ? (delay_20_from_0_copy2_pointer - 5'd18) : (delay_20_from_0_copy2_pointer + 5'd1);
+            delay_20_from_0_copy3_pointer <= (delay_20_from_0_copy3_pointer == 5'd18) ? (delay_20_from_0_copy3_pointer - 5'd18) : (delay_20_from_0_copy3_pointer + 5'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[28:0], in_valid};
+            in_flight <= {in_flight[28:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            depth_out_d1 <= mul_f24_ftz_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-        end
+        depth_out_d1 <= mul_f24_ftz_unit_y;
+        depth_out_d2 <= depth_out_d1;
+        depth_out_d3 <= depth_out_d2;
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {
-                in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7,
-                in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1,
-                in_attribute_0, to_float_u52q40_f24_ftz_unit_y
-            };
-        end
-        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        delay_20_from_0[delay_20_from_0_pointer] <= {
+            in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0,
+            to_float_u52q40_f24_ftz_unit_y
+        };
+        delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
-        end
-        if (in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        delay_20_from_0_copy2[delay_20_from_0_copy2_pointer] <= {in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6, in_attribute_5};
+        delay_20_from_0_copy2_out <= delay_20_from_0_copy2[delay_20_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_20_from_0_copy3[delay_20_from_0_copy3_pointer] <= {in_attribute_12, in_attribute_11};
+        delay_20_from_0_copy3_out <= delay_20_from_0_copy3[delay_20_from_0_copy3_pointer];
+    end
+    always @(posedge clk) begin
+        delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
+        delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, in_peak};
+    wire _unused = &{
+        1'b0, in_peak, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
+        queue_3_out_valid
+    };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 34
+// width = 16
+// storage = distributed
+module stream_fifo_d34_w16_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [15:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [15:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [15:0] entries [0:33];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [15:0] item;
+
+    wire has_room = ~(held == 6'd34);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd34);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 34
+// width = 128
+// storage = distributed
+module stream_fifo_d34_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:33];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 6'd34);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd34);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 34
+// width = 123
+// storage = distributed
+module stream_fifo_d34_w123_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [122:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [122:0] entries [0:33];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [122:0] item;
+
+    wire has_room = ~(held == 6'd34);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd34);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point format conversion.
@@ -1209,51 +1194,470 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
-// Queue of two in registers.
-// width = 267
-module stream_skid_w267 (
+// A rasterizer with the lists, slots and sums of its share of the tiles.
+module splat_lane (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [266:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [266:0] out_data
+    input  wire in_valid, output wire in_ready,  // Copies for its tiles.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [11:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
+    output wire pixel_end,  // Closes the frame.
+    output wire [11:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [23:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
+    output wire event_sample,  // The rasterizer evaluated a sample.
+    output wire event_starved,  // The rasterizer had no copy to work on.
+    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
+    output wire event_accumulate,  // The accumulator took a sample.
+    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
-    reg second_valid;
-    reg [266:0] head, second;
+    wire payloads_copy_valid, payloads_copy_end;
+    wire [2:0] payloads_copy_left, payloads_copy_right, payloads_copy_top, payloads_copy_bottom;
+    wire [3:0] payloads_copy_first_sum, payloads_copy_last_sum, payloads_copy_first_difference;
+    wire [3:0] payloads_copy_last_difference;
+    wire [11:0] payloads_copy_tile;
+    wire [10:0] payloads_copy_splat;
+    wire payloads_placed_ready, payloads_out_valid, payloads_out_end;
+    wire [23:0] payloads_out_center_x, payloads_out_center_y, payloads_out_ax, payloads_out_bx, payloads_out_ay;
+    wire [23:0] payloads_out_by, payloads_out_delta, payloads_out_mx, payloads_out_my;
+    wire payloads_out_sight_negative;
+    wire [22:0] payloads_out_sight_near, payloads_out_sight_far;
+    wire payloads_out_sight_turned, payloads_out_sight_disc;
+    wire [23:0] payloads_out_depth, payloads_out_depth_low, payloads_out_depth_high;
+    wire [15:0] payloads_out_attribute_0, payloads_out_attribute_1, payloads_out_attribute_2;
+    wire [15:0] payloads_out_attribute_3, payloads_out_attribute_4, payloads_out_attribute_5;
+    wire [15:0] payloads_out_attribute_6, payloads_out_attribute_7, payloads_out_attribute_8;
+    wire [15:0] payloads_out_attribute_9, payloads_out_attribute_10, payloads_out_attribute_11;
+    wire [15:0] payloads_out_attribute_12, payloads_out_cardinal_0;
+    wire [2:0] payloads_out_left, payloads_out_right, payloads_out_top, payloads_out_bottom;
+    wire [3:0] payloads_out_first_sum, payloads_out_last_sum, payloads_out_first_difference;
+    wire [3:0] payloads_out_last_difference;
+    wire [11:0] payloads_out_tile;
+    wire payloads_out_slot, reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
+    wire [11:0] reorder_out_tile;
+    wire [10:0] reorder_out_splat;
+    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
+    wire [11:0] tile_cache_out_tile;
+    wire [10:0] tile_cache_out_splat;
+    wire tile_cache_out_slot;
+    wire [1:0] tile_cache_slot_ready;
+    wire tile_cache_change_valid, tile_cache_change_slot;
+    wire [1:0] tile_cache_change_banks;
+    wire [63:0] tile_cache_change_held;
+    wire tile_cache_drain_enable, tile_cache_drain_slot;
+    wire [5:0] tile_cache_drain_pixel;
+    wire tile_cache_fill_valid, tile_cache_fill_slot;
+    wire [5:0] tile_cache_fill_pixel;
+    wire [27:0] tile_cache_fill_weight;
+    wire [51:0] tile_cache_fill_depth;
+    wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
+    wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
+    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
+    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
+    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
+    wire rasterizer_out_inside, rasterizer_out_slot;
+    wire [5:0] rasterizer_out_pixel;
+    wire [15:0] rasterizer_out_weight;
+    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
+    wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
+    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
+    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
+    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire weighting_out_slot;
+    wire [5:0] weighting_out_pixel;
+    wire [15:0] weighting_out_weight;
+    wire [39:0] weighting_out_weighted_depth;
+    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
+    wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
+    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
+    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
+    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
+    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
+    wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
+    wire [63:0] accumulator_masks_written, accumulator_masks_dirty;
+    wire accumulator_drained_valid;
+    wire [5:0] accumulator_drained_pixel;
+    wire [27:0] accumulator_drained_weight;
+    wire [51:0] accumulator_drained_depth;
+    wire [15:0] accumulator_drained_peak, accumulator_drained_attribute_0, accumulator_drained_attribute_1;
+    wire [15:0] accumulator_drained_attribute_2, accumulator_drained_attribute_3, accumulator_drained_attribute_4;
+    wire [15:0] accumulator_drained_attribute_5, accumulator_drained_attribute_6, accumulator_drained_attribute_7;
+    wire [15:0] accumulator_drained_attribute_8, accumulator_drained_attribute_9, accumulator_drained_attribute_10;
+    wire [15:0] accumulator_drained_attribute_11, accumulator_drained_attribute_12, accumulator_drained_cardinal_0;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    splat_payloads payloads (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_end(in_end), .in_first(in_first),
+        .in_center_x(in_center_x), .in_center_y(in_center_y), .in_ax(in_ax), .in_bx(in_bx), .in_ay(in_ay),
+        .in_by(in_by), .in_delta(in_delta), .in_mx(in_mx), .in_my(in_my),
+        .in_sight_negative(in_sight_negative), .in_sight_near(in_sight_near), .in_sight_far(in_sight_far),
+        .in_sight_turned(in_sight_turned), .in_sight_disc(in_sight_disc), .in_depth(in_depth),
+        .in_depth_low(in_depth_low), .in_depth_high(in_depth_high), .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1), .in_attribute_2(in_attribute_2), .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4), .in_attribute_5(in_attribute_5), .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7), .in_attribute_8(in_attribute_8), .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10), .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12), .in_cardinal_0(in_cardinal_0), .in_left(in_left),
+        .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom), .in_first_sum(in_first_sum),
+        .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
+        .in_last_difference(in_last_difference), .in_tile(in_tile),
+        .copy_valid(payloads_copy_valid), .copy_ready(reorder_in_ready), .copy_end(payloads_copy_end),
+        .copy_left(payloads_copy_left), .copy_right(payloads_copy_right), .copy_top(payloads_copy_top),
+        .copy_bottom(payloads_copy_bottom), .copy_first_sum(payloads_copy_first_sum),
+        .copy_last_sum(payloads_copy_last_sum), .copy_first_difference(payloads_copy_first_difference),
+        .copy_last_difference(payloads_copy_last_difference), .copy_tile(payloads_copy_tile),
+        .copy_splat(payloads_copy_splat),
+        .placed_valid(tile_cache_out_valid), .placed_ready(payloads_placed_ready),
+        .placed_end(tile_cache_out_end), .placed_left(tile_cache_out_left),
+        .placed_right(tile_cache_out_right), .placed_top(tile_cache_out_top),
+        .placed_bottom(tile_cache_out_bottom), .placed_first_sum(tile_cache_out_first_sum),
+        .placed_last_sum(tile_cache_out_last_sum), .placed_first_difference(tile_cache_out_first_difference),
+        .placed_last_difference(tile_cache_out_last_difference), .placed_tile(tile_cache_out_tile),
+        .placed_splat(tile_cache_out_splat), .placed_slot(tile_cache_out_slot),
+        .out_valid(payloads_out_valid), .out_ready(rasterizer_in_ready), .out_end(payloads_out_end),
+        .out_center_x(payloads_out_center_x), .out_center_y(payloads_out_center_y), .out_ax(payloads_out_ax),
+        .out_bx(payloads_out_bx), .out_ay(payloads_out_ay), .out_by(payloads_out_by),
+        .out_delta(payloads_out_delta), .out_mx(payloads_out_mx), .out_my(payloads_out_my),
+        .out_sight_negative(payloads_out_sight_negative), .out_sight_near(payloads_out_sight_near),
+        .out_sight_far(payloads_out_sight_far), .out_sight_turned(payloads_out_sight_turned),
+        .out_sight_disc(payloads_out_sight_disc), .out_depth(payloads_out_depth),
+        .out_depth_low(payloads_out_depth_low), .out_depth_high(payloads_out_depth_high),
+        .out_attribute_0(payloads_out_attribute_0), .out_attribute_1(payloads_out_attribute_1),
+        .out_attribute_2(payloads_out_attribute_2), .out_attribute_3(payloads_out_attribute_3),
+        .out_attribute_4(payloads_out_attribute_4), .out_attribute_5(payloads_out_attribute_5),
+        .out_attribute_6(payloads_out_attribute_6), .out_attribute_7(payloads_out_attribute_7),
+        .out_attribute_8(payloads_out_attribute_8), .out_attribute_9(payloads_out_attribute_9),
+        .out_attribute_10(payloads_out_attribute_10), .out_attribute_11(payloads_out_attribute_11),
+        .out_attribute_12(payloads_out_attribute_12), .out_cardinal_0(payloads_out_cardinal_0),
+        .out_left(payloads_out_left), .out_right(payloads_out_right), .out_top(payloads_out_top),
+        .out_bottom(payloads_out_bottom), .out_first_sum(payloads_out_first_sum),
+        .out_last_sum(payloads_out_last_sum), .out_first_difference(payloads_out_first_difference),
+        .out_last_difference(payloads_out_last_difference), .out_tile(payloads_out_tile),
+        .out_slot(payloads_out_slot)
+    );
 
-    assign out_data = head;
+    splat_reorder reorder (
+        .clk(clk), .rst(rst), .in_valid(payloads_copy_valid), .in_ready(reorder_in_ready),
+        .in_end(payloads_copy_end), .in_left(payloads_copy_left), .in_right(payloads_copy_right),
+        .in_top(payloads_copy_top), .in_bottom(payloads_copy_bottom), .in_first_sum(payloads_copy_first_sum),
+        .in_last_sum(payloads_copy_last_sum), .in_first_difference(payloads_copy_first_difference),
+        .in_last_difference(payloads_copy_last_difference), .in_tile(payloads_copy_tile),
+        .in_splat(payloads_copy_splat),
+        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile),
+        .out_splat(reorder_out_splat)
+    );
 
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
+    splat_tile_cache tile_cache (
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_left(reorder_out_left), .in_right(reorder_out_right),
+        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
+        .in_splat(reorder_out_splat),
+        .out_valid(tile_cache_out_valid), .out_ready(payloads_placed_ready), .out_end(tile_cache_out_end),
+        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom), .out_first_sum(tile_cache_out_first_sum),
+        .out_last_sum(tile_cache_out_last_sum), .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_splat(tile_cache_out_splat), .out_slot(tile_cache_out_slot),
+        .pixel_valid(pixel_valid), .pixel_ready(pixel_ready), .pixel_end(pixel_end), .pixel_tile(pixel_tile),
+        .pixel_pixel(pixel_pixel), .pixel_weight(pixel_weight), .pixel_depth(pixel_depth),
+        .pixel_peak(pixel_peak), .pixel_attribute_0(pixel_attribute_0), .pixel_attribute_1(pixel_attribute_1),
+        .pixel_attribute_2(pixel_attribute_2), .pixel_attribute_3(pixel_attribute_3),
+        .pixel_attribute_4(pixel_attribute_4), .pixel_attribute_5(pixel_attribute_5),
+        .pixel_attribute_6(pixel_attribute_6), .pixel_attribute_7(pixel_attribute_7),
+        .pixel_attribute_8(pixel_attribute_8), .pixel_attribute_9(pixel_attribute_9),
+        .pixel_attribute_10(pixel_attribute_10), .pixel_attribute_11(pixel_attribute_11),
+        .pixel_attribute_12(pixel_attribute_12), .pixel_cardinal_0(pixel_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .sample_reads(accumulator_sample_reads),
+        .frame_end(accumulator_frame_end),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .sample_writes(accumulator_sample_writes),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_peak(accumulator_drained_peak), .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .drained_attribute_3(accumulator_drained_attribute_3),
+        .drained_attribute_4(accumulator_drained_attribute_4),
+        .drained_attribute_5(accumulator_drained_attribute_5),
+        .drained_attribute_6(accumulator_drained_attribute_6),
+        .drained_attribute_7(accumulator_drained_attribute_7),
+        .drained_attribute_8(accumulator_drained_attribute_8),
+        .drained_attribute_9(accumulator_drained_attribute_9),
+        .drained_attribute_10(accumulator_drained_attribute_10),
+        .drained_attribute_11(accumulator_drained_attribute_11),
+        .drained_attribute_12(accumulator_drained_attribute_12),
+        .drained_cardinal_0(accumulator_drained_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
+        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
+        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
+        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
+        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
+        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
+        .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
+        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
+        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
+        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
+        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0)
+    );
 
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
+    splat_rasterizer rasterizer (
+        .clk(clk), .rst(rst), .in_valid(payloads_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(payloads_out_end), .in_center_x(payloads_out_center_x), .in_center_y(payloads_out_center_y),
+        .in_ax(payloads_out_ax), .in_bx(payloads_out_bx), .in_ay(payloads_out_ay), .in_by(payloads_out_by),
+        .in_delta(payloads_out_delta), .in_mx(payloads_out_mx), .in_my(payloads_out_my),
+        .in_sight_negative(payloads_out_sight_negative), .in_sight_near(payloads_out_sight_near),
+        .in_sight_far(payloads_out_sight_far), .in_sight_turned(payloads_out_sight_turned),
+        .in_sight_disc(payloads_out_sight_disc), .in_depth(payloads_out_depth),
+        .in_depth_low(payloads_out_depth_low), .in_depth_high(payloads_out_depth_high),
+        .in_attribute_0(payloads_out_attribute_0), .in_attribute_1(payloads_out_attribute_1),
+        .in_attribute_2(payloads_out_attribute_2), .in_attribute_3(payloads_out_attribute_3),
+        .in_attribute_4(payloads_out_attribute_4), .in_attribute_5(payloads_out_attribute_5),
+        .in_attribute_6(payloads_out_attribute_6), .in_attribute_7(payloads_out_attribute_7),
+        .in_attribute_8(payloads_out_attribute_8), .in_attribute_9(payloads_out_attribute_9),
+        .in_attribute_10(payloads_out_attribute_10), .in_attribute_11(payloads_out_attribute_11),
+        .in_attribute_12(payloads_out_attribute_12), .in_cardinal_0(payloads_out_cardinal_0),
+        .in_left(payloads_out_left), .in_right(payloads_out_right), .in_top(payloads_out_top),
+        .in_bottom(payloads_out_bottom), .in_first_sum(payloads_out_first_sum),
+        .in_last_sum(payloads_out_last_sum), .in_first_difference(payloads_out_first_difference),
+        .in_last_difference(payloads_out_last_difference), .in_tile(payloads_out_tile),
+        .in_slot(payloads_out_slot),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
+        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
+        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
+        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
+        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
+        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
+        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .filter_scale(filter_scale),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
+    );
+
+    splat_weighting weighting (
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
+        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
+        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
+        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
+        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
+        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
+        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
+        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
+        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
+        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
+        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
+        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
+        .out_cardinal_0(weighting_out_cardinal_0)
+    );
+
+    splat_accumulator accumulator (
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
+        .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
+        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
+        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
+        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
+        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
+        .in_cardinal_0(weighting_out_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .sample_reads(accumulator_sample_reads), .sample_writes(accumulator_sample_writes),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_peak(accumulator_drained_peak), .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .drained_attribute_3(accumulator_drained_attribute_3),
+        .drained_attribute_4(accumulator_drained_attribute_4),
+        .drained_attribute_5(accumulator_drained_attribute_5),
+        .drained_attribute_6(accumulator_drained_attribute_6),
+        .drained_attribute_7(accumulator_drained_attribute_7),
+        .drained_attribute_8(accumulator_drained_attribute_8),
+        .drained_attribute_9(accumulator_drained_attribute_9),
+        .drained_attribute_10(accumulator_drained_attribute_10),
+        .drained_attribute_11(accumulator_drained_attribute_11),
+        .drained_attribute_12(accumulator_drained_attribute_12),
+        .drained_cardinal_0(accumulator_drained_cardinal_0),
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
+    );
 endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 2
+// banks = 2
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
@@ -1285,7 +1689,11 @@ module splat_accumulator (
     output reg  retire_valid,  // A copy is done with.
     output reg  retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
-    input  wire fill_valid,  // Write to a slot.
+    input  wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    input  wire change_slot,  // Slot of the tile cache.
+    input  wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    input  wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire fill_valid,  // Write to a slot, until it is carried out.
     input  wire fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
@@ -1305,30 +1713,40 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire drain_enable,  // Read of a slot.
+    input  wire drain_enable,  // Read of a slot, until it is carried out.
     input  wire drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
-    output wire [27:0] drain_weight,  // Sum of weights.
-    output wire [51:0] drain_depth,  // Sum of weighted depths.
-    output wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
-    output wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    output wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    output wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    output wire drained_valid,  // A pixel that was read.
+    output wire [5:0] drained_pixel,  // Pixel of the tile.
+    output wire [27:0] drained_weight,  // Sum of weights.
+    output wire [51:0] drained_depth,  // Sum of weighted depths.
+    output wire [15:0] drained_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  event_accumulate,  // The accumulator took a sample.
     output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_0_masks [0:1];
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_1_masks [0:1];
     reg valid_1, inside_1, last_1, slot_1;
     reg [5:0] pixel_1;
     reg valid_2, inside_2, last_2, slot_2;
@@ -1371,11 +1789,17 @@ module splat_accumulator (
     reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
-    wire [319:0] slot_0_read;
-    reg [319:0] slot_0_pixel;
-    wire [319:0] slot_1_read;
-    reg [319:0] slot_1_pixel, stored;
-    reg drained_slot;
+    reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
+    reg is_written_1, is_written_2;
+    wire [319:0] bank_0_read;
+    reg [319:0] bank_0_pixel;
+    wire [319:0] bank_1_read;
+    reg [319:0] bank_1_pixel;
+    reg drains_1;
+    reg [5:0] drained_pixel_1;
+    reg drains_2;
+    reg [5:0] drained_pixel_2;
+    reg [319:0] stored;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -1460,15 +1884,19 @@ module splat_accumulator (
     wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
     wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
 
-    wire [319:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
-    wire filling_0 = fill_valid & ~fill_slot;
-    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] slot_1_pixels_data_bits = {
-        fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
-        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
-        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
-        fill_cardinal_0
-    };
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
+    wire reads = may_issue_inside & arrived;
+    wire sample_reads_1 = reads & head_pixel[0];
+    wire sample_reads_0 = reads & ~head_pixel[0];
+    wire [1:0] reads_bank = {sample_reads_1, sample_reads_0};
+    wire [1:0] will_write_bank = {inside_7 & pixel_7[0], inside_7 & ~pixel_7[0]};
+    wire [319:0] drained_word = drained_pixel_2[0] ? bank_1_pixel : bank_0_pixel;
+    wire sample_ends_in_0 = inside_8 & ~pixel_8[0];
+    wire changes = ~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]);
+    wire writes_0 = sample_ends_in_0 ? changes : (fill_valid & ~fill_pixel[0]);
+    wire [5:0] bank_1_pixels_address_bits = {slot_8, pixel_8[5:1]};
+    wire [5:0] bank_1_pixels_address_bits_2 = {fill_slot, fill_pixel[5:1]};
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
     wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
@@ -1507,19 +1935,24 @@ module splat_accumulator (
         late_pass_5 ? attribute_11_8 : result_bits_12, late_pass_5 ? attribute_12_8 : result_bits_13,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire head_valid_and_not_head_end = head_valid & ~head_end;
-    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
-    wire on_the_way = |collisions;
-    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire slot_0_pixel_enable_both = drain_enable & ~drain_slot;
-    wire filling_1 = fill_valid & fill_slot;
-    wire drain_enable_and_drain_slot = drain_enable & drain_slot;
+    wire [319:0] bank_1_pixels_data_bits = {
+        fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
+        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
+        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
+        fill_cardinal_0
+    };
+    wire [5:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
+    wire [5:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
+    wire sample_ends_in_1 = inside_8 & pixel_8[0];
+    wire writes_1 = sample_ends_in_1 ? changes : (fill_valid & fill_pixel[0]);
     wire slot_wait = may_issue_inside & ~arrived;
+    wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
     wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
     wire places_out_end = places_out_data[9];
     wire places_out_last = places_out_data[8];
     wire places_out_inside = places_out_data[7];
@@ -1555,26 +1988,96 @@ module splat_accumulator (
     };
     wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
+    wire masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
+    wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
+    wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
+    wire masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
+    wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
+    wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
+    wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
+    wire drains_1_either = (~drain_pixel[0] & reads_bank[0]) | (drain_pixel[0] & reads_bank[1]);
+    wire [31:0] pixel_bit = 32'd1 << head_pixel[5:1];
+    wire [63:0] bank_0_masks_data_bits = {
+        change_held[62], change_held[60], change_held[58], change_held[56], change_held[54], change_held[52],
+        change_held[50], change_held[48], change_held[46], change_held[44], change_held[42], change_held[40],
+        change_held[38], change_held[36], change_held[34], change_held[32], change_held[30], change_held[28],
+        change_held[26], change_held[24], change_held[22], change_held[20], change_held[18], change_held[16],
+        change_held[14], change_held[12], change_held[10], change_held[8], change_held[6], change_held[4],
+        change_held[2], change_held[0], 32'd0
+    };
+    wire [63:0] bank_1_masks_data_bits = {
+        change_held[63], change_held[61], change_held[59], change_held[57], change_held[55], change_held[53],
+        change_held[51], change_held[49], change_held[47], change_held[45], change_held[43], change_held[41],
+        change_held[39], change_held[37], change_held[35], change_held[33], change_held[31], change_held[29],
+        change_held[27], change_held[25], change_held[23], change_held[21], change_held[19], change_held[17],
+        change_held[15], change_held[13], change_held[11], change_held[9], change_held[7], change_held[5],
+        change_held[3], change_held[1], 32'd0
+    };
 
+    assign sample_reads = reads_bank;
+    assign sample_writes = will_write_bank;
+    assign masks_written = {
+        bank_1_was_written[31], bank_0_was_written[31], bank_1_was_written[30], bank_0_was_written[30],
+        bank_1_was_written[29], bank_0_was_written[29], bank_1_was_written[28], bank_0_was_written[28],
+        bank_1_was_written[27], bank_0_was_written[27], bank_1_was_written[26], bank_0_was_written[26],
+        bank_1_was_written[25], bank_0_was_written[25], bank_1_was_written[24], bank_0_was_written[24],
+        bank_1_was_written[23], bank_0_was_written[23], bank_1_was_written[22], bank_0_was_written[22],
+        bank_1_was_written[21], bank_0_was_written[21], bank_1_was_written[20], bank_0_was_written[20],
+        bank_1_was_written[19], bank_0_was_written[19], bank_1_was_written[18], bank_0_was_written[18],
+        bank_1_was_written[17], bank_0_was_written[17], bank_1_was_written[16], bank_0_was_written[16],
+        bank_1_was_written[15], bank_0_was_written[15], bank_1_was_written[14], bank_0_was_written[14],
+        bank_1_was_written[13], bank_0_was_written[13], bank_1_was_written[12], bank_0_was_written[12],
+        bank_1_was_written[11], bank_0_was_written[11], bank_1_was_written[10], bank_0_was_written[10],
+        bank_1_was_written[9], bank_0_was_written[9], bank_1_was_written[8], bank_0_was_written[8],
+        bank_1_was_written[7], bank_0_was_written[7], bank_1_was_written[6], bank_0_was_written[6],
+        bank_1_was_written[5], bank_0_was_written[5], bank_1_was_written[4], bank_0_was_written[4],
+        bank_1_was_written[3], bank_0_was_written[3], bank_1_was_written[2], bank_0_was_written[2],
+        bank_1_was_written[1], bank_0_was_written[1], bank_1_was_written[0], bank_0_was_written[0]
+    };
+    assign masks_dirty = {
+        bank_1_was_dirty[31], bank_0_was_dirty[31], bank_1_was_dirty[30], bank_0_was_dirty[30],
+        bank_1_was_dirty[29], bank_0_was_dirty[29], bank_1_was_dirty[28], bank_0_was_dirty[28],
+        bank_1_was_dirty[27], bank_0_was_dirty[27], bank_1_was_dirty[26], bank_0_was_dirty[26],
+        bank_1_was_dirty[25], bank_0_was_dirty[25], bank_1_was_dirty[24], bank_0_was_dirty[24],
+        bank_1_was_dirty[23], bank_0_was_dirty[23], bank_1_was_dirty[22], bank_0_was_dirty[22],
+        bank_1_was_dirty[21], bank_0_was_dirty[21], bank_1_was_dirty[20], bank_0_was_dirty[20],
+        bank_1_was_dirty[19], bank_0_was_dirty[19], bank_1_was_dirty[18], bank_0_was_dirty[18],
+        bank_1_was_dirty[17], bank_0_was_dirty[17], bank_1_was_dirty[16], bank_0_was_dirty[16],
+        bank_1_was_dirty[15], bank_0_was_dirty[15], bank_1_was_dirty[14], bank_0_was_dirty[14],
+        bank_1_was_dirty[13], bank_0_was_dirty[13], bank_1_was_dirty[12], bank_0_was_dirty[12],
+        bank_1_was_dirty[11], bank_0_was_dirty[11], bank_1_was_dirty[10], bank_0_was_dirty[10],
+        bank_1_was_dirty[9], bank_0_was_dirty[9], bank_1_was_dirty[8], bank_0_was_dirty[8],
+        bank_1_was_dirty[7], bank_0_was_dirty[7], bank_1_was_dirty[6], bank_0_was_dirty[6],
+        bank_1_was_dirty[5], bank_0_was_dirty[5], bank_1_was_dirty[4], bank_0_was_dirty[4],
+        bank_1_was_dirty[3], bank_0_was_dirty[3], bank_1_was_dirty[2], bank_0_was_dirty[2],
+        bank_1_was_dirty[1], bank_0_was_dirty[1], bank_1_was_dirty[0], bank_0_was_dirty[0]
+    };
+    assign drained_valid = drains_2;
+    assign drained_pixel = drained_pixel_2;
     assign {
-        drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
-        drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6, drain_attribute_7,
-        drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11, drain_attribute_12,
-        drain_cardinal_0
-    } = drained;
+        drained_weight, drained_depth, drained_peak, drained_attribute_0, drained_attribute_1,
+        drained_attribute_2, drained_attribute_3, drained_attribute_4, drained_attribute_5,
+        drained_attribute_6, drained_attribute_7, drained_attribute_8, drained_attribute_9,
+        drained_attribute_10, drained_attribute_11, drained_attribute_12, drained_cardinal_0
+    } = drained_word;
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
-        .clk(clk), .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? slot_1_pixels_data_bits : result),
-        .read(slot_ready[0] ? (issue_inside & ~head_slot) : slot_0_pixel_enable_both),
-        .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) bank_0_pixels (
+        .clk(clk), .write(writes_0),
+        .write_address(sample_ends_in_0 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_0 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_0 | (drain_enable & ~drain_pixel[0])),
+        .read_address(sample_reads_0 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_0_read)
     );
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
-        .clk(clk), .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? slot_1_pixels_data_bits : result),
-        .read(slot_ready[1] ? (issue_inside & head_slot) : drain_enable_and_drain_slot),
-        .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) bank_1_pixels (
+        .clk(clk), .write(writes_1),
+        .write_address(sample_ends_in_1 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_1 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_1 | (drain_enable & drain_pixel[0])),
+        .read_address(sample_reads_1 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_1_read)
     );
 
     stream_fifo_d64_w10_distributed places (
@@ -1672,6 +2175,8 @@ module splat_accumulator (
             valid_8 <= 1'd0;
             inside_8 <= 1'd0;
             head_valid <= 1'd0;
+            drains_1 <= 1'd0;
+            drains_2 <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
@@ -1694,6 +2199,8 @@ module splat_accumulator (
             inside_7 <= inside_6;
             valid_8 <= valid_7;
             inside_8 <= inside_7;
+            drains_1 <= drain_enable & ~drains_1_either;
+            drains_2 <= drains_1;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -1728,7 +2235,13 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
+        is_written_1 <= head_pixel[0] ? is_written_1_shifted[0] : is_written_1_shifted_2[0];
+        is_written_2 <= is_written_1;
+        bank_0_pixel <= bank_0_read;
+        bank_1_pixel <= bank_1_read;
+        drained_pixel_1 <= drain_pixel;
+        drained_pixel_2 <= drained_pixel_1;
+        stored <= {320{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1917,12 +2430,30 @@ module splat_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | drain_enable_and_drain_slot) slot_1_pixel <= slot_1_read;
-        if (drain_enable) drained_slot <= drain_slot;
+        if (changes_0) begin
+            bank_0_was_written <= bank_0_mask[63:32];
+            bank_0_was_dirty <= bank_0_mask[31:0];
+        end
+        if (changes_1) begin
+            bank_1_was_written <= bank_1_mask[63:32];
+            bank_1_was_dirty <= bank_1_mask[31:0];
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & ~head_pixel[0]) | changes_0) begin
+            bank_0_masks[masked_slot_0] <= sample_reads_0 ? (bank_0_mask | {pixel_bit, pixel_bit}) : bank_0_masks_data_bits;
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & head_pixel[0]) | changes_1) begin
+            bank_1_masks[masked_slot_1] <= sample_reads_1 ? (bank_1_mask | {pixel_bit, pixel_bit}) : bank_1_masks_data_bits;
+        end
     end
 
-    wire _unused = &{1'b0, arrived_shifted[1], arrived_shifted_2[1], samples_in_ready, samples_out_valid};
+    wire _unused = &{
+        1'b0, arrived_shifted[1], arrived_shifted_2[1], is_written_1_shifted[31:1],
+        is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -2251,6 +2782,7 @@ module splat_weighting (
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [73:0] delay_10_from_0 [0:8];
+    reg [4:0] credits;
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
@@ -2265,15 +2797,25 @@ module splat_weighting (
     reg [15:0] attribute_10_d1, attribute_10_d2, attribute_10_d3, attribute_10_d4, attribute_11_d1, attribute_11_d2;
     reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
+    reg left;
 
-    wire [337:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y;
     wire [15:0] mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y;
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
+    wire queue_1_in_ready;
+    wire [113:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [95:0] queue_3_out_data;
 
+    assign in_ready = ~credits[4];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire kept = in_flight[9];
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
@@ -2282,180 +2824,399 @@ module splat_weighting (
     wire [23:0] depth_low_d10 = delay_10_from_0_out[33:10];
     wire [23:0] depth_high_d10 = delay_10_from_0_out[57:34];
     wire [15:0] cardinal_0_d10 = delay_10_from_0_out[73:58];
-    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
-    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
-        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4,
-        out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9, out_attribute_10,
-        out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
+        out_depth_high
+    } = queue_1_out_data;
+    assign {
+        out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5,
+        out_attribute_6, out_attribute_7
+    } = queue_2_out_data;
+    assign {
+        out_attribute_8, out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12,
+        out_cardinal_0
+    } = queue_3_out_data;
 
-    stream_skid_w338 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
-        .in_data({
-            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
-            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
-            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y,
-            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
-            mul_f16_unit_copy13_y, cardinal_0_d10
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
-
-    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
-    );
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u16q16_f16_unit_y));
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
+    );
+
+    stream_fifo_d14_w114_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d14_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({
+            mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y
+        }),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d14_w96_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
+            mul_f16_unit_copy13_y, cardinal_0_d10
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 5'd13;
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left};
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            in_flight <= {in_flight[8:0], in_valid};
+            in_flight <= {in_flight[8:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            weight_d8 <= weight_d7;
-            weight_d9 <= weight_d8;
-            weight_d10 <= weight_d9;
-            attribute_0_d1 <= in_attribute_0;
-            attribute_0_d2 <= attribute_0_d1;
-            attribute_0_d3 <= attribute_0_d2;
-            attribute_0_d4 <= attribute_0_d3;
-            attribute_1_d1 <= in_attribute_1;
-            attribute_1_d2 <= attribute_1_d1;
-            attribute_1_d3 <= attribute_1_d2;
-            attribute_1_d4 <= attribute_1_d3;
-            attribute_2_d1 <= in_attribute_2;
-            attribute_2_d2 <= attribute_2_d1;
-            attribute_2_d3 <= attribute_2_d2;
-            attribute_2_d4 <= attribute_2_d3;
-            attribute_3_d1 <= in_attribute_3;
-            attribute_3_d2 <= attribute_3_d1;
-            attribute_3_d3 <= attribute_3_d2;
-            attribute_3_d4 <= attribute_3_d3;
-            attribute_4_d1 <= in_attribute_4;
-            attribute_4_d2 <= attribute_4_d1;
-            attribute_4_d3 <= attribute_4_d2;
-            attribute_4_d4 <= attribute_4_d3;
-            attribute_5_d1 <= in_attribute_5;
-            attribute_5_d2 <= attribute_5_d1;
-            attribute_5_d3 <= attribute_5_d2;
-            attribute_5_d4 <= attribute_5_d3;
-            attribute_6_d1 <= in_attribute_6;
-            attribute_6_d2 <= attribute_6_d1;
-            attribute_6_d3 <= attribute_6_d2;
-            attribute_6_d4 <= attribute_6_d3;
-            attribute_7_d1 <= in_attribute_7;
-            attribute_7_d2 <= attribute_7_d1;
-            attribute_7_d3 <= attribute_7_d2;
-            attribute_7_d4 <= attribute_7_d3;
-            attribute_8_d1 <= in_attribute_8;
-            attribute_8_d2 <= attribute_8_d1;
-            attribute_8_d3 <= attribute_8_d2;
-            attribute_8_d4 <= attribute_8_d3;
-            attribute_9_d1 <= in_attribute_9;
-            attribute_9_d2 <= attribute_9_d1;
-            attribute_9_d3 <= attribute_9_d2;
-            attribute_9_d4 <= attribute_9_d3;
-            attribute_10_d1 <= in_attribute_10;
-            attribute_10_d2 <= attribute_10_d1;
-            attribute_10_d3 <= attribute_10_d2;
-            attribute_10_d4 <= attribute_10_d3;
-            attribute_11_d1 <= in_attribute_11;
-            attribute_11_d2 <= attribute_11_d1;
-            attribute_11_d3 <= attribute_11_d2;
-            attribute_11_d4 <= attribute_11_d3;
-            attribute_12_d1 <= in_attribute_12;
-            attribute_12_d2 <= attribute_12_d1;
-            attribute_12_d3 <= attribute_12_d2;
-            attribute_12_d4 <= attribute_12_d3;
+        weight_d8 <= weight_d7;
+        weight_d9 <= weight_d8;
+        weight_d10 <= weight_d9;
+        attribute_0_d1 <= in_attribute_0;
+        attribute_0_d2 <= attribute_0_d1;
+        attribute_0_d3 <= attribute_0_d2;
+        attribute_0_d4 <= attribute_0_d3;
+        attribute_1_d1 <= in_attribute_1;
+        attribute_1_d2 <= attribute_1_d1;
+        attribute_1_d3 <= attribute_1_d2;
+        attribute_1_d4 <= attribute_1_d3;
+        attribute_2_d1 <= in_attribute_2;
+        attribute_2_d2 <= attribute_2_d1;
+        attribute_2_d3 <= attribute_2_d2;
+        attribute_2_d4 <= attribute_2_d3;
+        attribute_3_d1 <= in_attribute_3;
+        attribute_3_d2 <= attribute_3_d1;
+        attribute_3_d3 <= attribute_3_d2;
+        attribute_3_d4 <= attribute_3_d3;
+        attribute_4_d1 <= in_attribute_4;
+        attribute_4_d2 <= attribute_4_d1;
+        attribute_4_d3 <= attribute_4_d2;
+        attribute_4_d4 <= attribute_4_d3;
+        attribute_5_d1 <= in_attribute_5;
+        attribute_5_d2 <= attribute_5_d1;
+        attribute_5_d3 <= attribute_5_d2;
+        attribute_5_d4 <= attribute_5_d3;
+        attribute_6_d1 <= in_attribute_6;
+        attribute_6_d2 <= attribute_6_d1;
+        attribute_6_d3 <= attribute_6_d2;
+        attribute_6_d4 <= attribute_6_d3;
+        attribute_7_d1 <= in_attribute_7;
+        attribute_7_d2 <= attribute_7_d1;
+        attribute_7_d3 <= attribute_7_d2;
+        attribute_7_d4 <= attribute_7_d3;
+        attribute_8_d1 <= in_attribute_8;
+        attribute_8_d2 <= attribute_8_d1;
+        attribute_8_d3 <= attribute_8_d2;
+        attribute_8_d4 <= attribute_8_d3;
+        attribute_9_d1 <= in_attribute_9;
+        attribute_9_d2 <= attribute_9_d1;
+        attribute_9_d3 <= attribute_9_d2;
+        attribute_9_d4 <= attribute_9_d3;
+        attribute_10_d1 <= in_attribute_10;
+        attribute_10_d2 <= attribute_10_d1;
+        attribute_10_d3 <= attribute_10_d2;
+        attribute_10_d4 <= attribute_10_d3;
+        attribute_11_d1 <= in_attribute_11;
+        attribute_11_d2 <= attribute_11_d1;
+        attribute_11_d3 <= attribute_11_d2;
+        attribute_11_d4 <= attribute_11_d3;
+        attribute_12_d1 <= in_attribute_12;
+        attribute_12_d2 <= attribute_12_d1;
+        attribute_12_d3 <= attribute_12_d2;
+        attribute_12_d4 <= attribute_12_d3;
+    end
+    always @(posedge clk) begin
+        delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 96
+// storage = distributed
+module stream_fifo_d14_w96_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [95:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [95:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [95:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [95:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 128
+// storage = distributed
+module stream_fifo_d14_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
+        end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
-        end
-        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 114
+// storage = distributed
+module stream_fifo_d14_w114_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [113:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [113:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [113:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [113:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point product.
@@ -2962,7 +3723,9 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg [95:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [143:0] delay_9_from_0 [0:7];
+    reg [95:0] delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_9_from_0_copy2 [0:7];
     (* ram_style = "distributed" *)
     reg [23:0] delay_13_from_0 [0:11];
     (* ram_style = "distributed" *)
@@ -2979,12 +3742,15 @@ module splat_evaluation (
     reg delay_59_from_0 [0:57];
     (* ram_style = "distributed" *)
     reg [6:0] delay_64_from_0 [0:62];
+    reg [7:0] credits;
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
     reg [95:0] delay_6_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
-    reg [143:0] delay_9_from_0_out;
+    reg [95:0] delay_9_from_0_out;
+    reg [2:0] delay_9_from_0_copy2_pointer;
+    reg [47:0] delay_9_from_0_copy2_out;
     reg [3:0] delay_13_from_0_pointer;
     reg [23:0] delay_13_from_0_out;
     reg [4:0] delay_23_from_0_pointer;
@@ -3006,8 +3772,8 @@ module splat_evaluation (
     reg [23:0] minus_center_y_d3;
     reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
     reg [63:0] in_flight;
+    reg left, dropped;
 
-    wire [25:0] queue_out_data;
     wire [23:0] to_float_u10q1_f24_ftz_unit_y, to_float_u10q1_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, add_f24_ftz_unit_copy7_y;
@@ -3018,27 +3784,32 @@ module splat_evaluation (
     wire [23:0] min_f24_ftz_unit_y;
     wire lt_f24_ftz_unit_y;
     wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
+    wire queue_1_in_ready;
+    wire [25:0] queue_1_out_data;
 
-    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
-    wire end_d64 = delay_5_from_0_out[0];
-    wire last_d64 = delay_5_from_0_out[1];
-    wire inside_out_d5 = delay_5_from_0_out[2];
-    wire slot_d64 = delay_64_from_0_out[0];
-    wire [5:0] pixel_out_d64 = delay_64_from_0_out[6:1];
+    assign in_ready = ~credits[7];
     wire [23:0] y_times_my_d6 = delay_6_from_0_out[47:24];
     wire [23:0] s2_squared_d6 = delay_6_from_0_out[71:48];
     wire [23:0] ay_d9 = delay_9_from_0_out[23:0];
     wire [23:0] ax_d9 = delay_9_from_0_out[47:24];
     wire [23:0] by_d9 = delay_9_from_0_out[71:48];
     wire [23:0] bx_d9 = delay_9_from_0_out[95:72];
-    wire [23:0] mx_d9 = delay_9_from_0_out[119:96];
-    wire [23:0] my_d9 = delay_9_from_0_out[143:120];
+    wire [23:0] mx_d9 = delay_9_from_0_copy2_out[23:0];
+    wire [23:0] my_d9 = delay_9_from_0_copy2_out[47:24];
     wire sight_turned_d25 = delay_25_from_0_out[47];
     wire [23:0] s1_d6 = delay_6_from_0_out[23:0];
     wire [23:0] rho_squared_chosen = sight_turned_d25 ? add_f24_ftz_unit_copy6_y : s1_d6;
     wire [23:0] rho_squared_chosen_copy2 = sight_turned_d25 ? s1_d6 : add_f24_ftz_unit_copy6_y;
     wire [23:0] rho_squared_chosen_squared_d6 = delay_6_from_0_out[95:72];
     wire [23:0] rho_squared_chosen_copy3 = delay_29_from_0_out ? div_f24_ftz_unit_y : 24'h7f8000;
+    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
+    wire kept = in_flight[63] & end_or_last_or_inside_out_d5;
+    wire end_d64 = delay_5_from_0_out[0];
+    wire last_d64 = delay_5_from_0_out[1];
+    wire inside_out_d5 = delay_5_from_0_out[2];
+    wire slot_d64 = delay_64_from_0_out[0];
+    wire [5:0] pixel_out_d64 = delay_64_from_0_out[6:1];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire sight_negative_d25 = delay_25_from_0_out[0];
     wire rho_squared_unequal = sight_negative_d25 ^ rho_squared_chosen_copy2[23];
     wire not_rho_squared_unequal = ~rho_squared_unequal;
@@ -3054,143 +3825,145 @@ module splat_evaluation (
     wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
     wire [23:0] rho_squared_chosen_copy4 = delay_23_from_0_out ? mul_f24_ftz_unit_copy12_y : 24'h7f8000;
 
-    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
-
-    stream_skid_w26 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[63] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
-        .in_data({end_d64, last_d64, inside_out_d5, slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
 
     float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(minus_center_x_d3),
+        .clk(clk), .enable(1'd1), .a(to_float_u10q1_f24_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(minus_center_y_d3),
+        .clk(clk), .enable(1'd1), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_y),
         .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}), .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_y),
         .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}), .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy5_y), .b(y_times_my_d6),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy5_y), .b(y_times_my_d6),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(s2_squared_d6),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_y), .b(s2_squared_d6),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
         .y(add_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(ay_d9), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(ay_d9), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(by_d9), .y(mul_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(by_d9), .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(mx_d9), .y(mul_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(mx_d9), .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(my_d9), .y(mul_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(my_d9), .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(rho_squared_chosen),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen), .b(rho_squared_chosen),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_div_s20_f24ftz div_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy7_y), .b(rho_squared_chosen_squared_d6),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy7_y), .b(rho_squared_chosen_squared_d6),
         .y(div_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy3), .b(delay_32_from_0_out),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen_copy3), .b(delay_32_from_0_out),
         .y(min_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w16_f16_unsigned to_fixed_f24_ftz_u16q16_unit (
-        .clk(clk), .enable(in_ready), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(in_ready), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+    );
+
+    stream_fifo_d68_w26 queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d64, last_d64, inside_out_d5, slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 8'd67;
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
+            delay_9_from_0_copy2_pointer <= 3'd0;
             delay_13_from_0_pointer <= 4'd0;
             delay_23_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
@@ -3200,10 +3973,14 @@ module splat_evaluation (
             delay_59_from_0_pointer <= 6'd0;
             delay_64_from_0_pointer <= 6'd0;
             in_flight <= 64'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+            dropped <= 1'd0;
+        end else begin
+            credits <= (credits - {7'd0, in_valid_and_in_ready}) + {7'd0, left} + {7'd0, dropped};
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+            delay_9_from_0_copy2_pointer <= (delay_9_from_0_copy2_pointer == 3'd7) ? (delay_9_from_0_copy2_pointer - 3'd7) : (delay_9_from_0_copy2_pointer + 3'd1);
             delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
@@ -3212,81 +3989,144 @@ module splat_evaluation (
             delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
             delay_59_from_0_pointer <= (delay_59_from_0_pointer == 6'd57) ? (delay_59_from_0_pointer - 6'd57) : (delay_59_from_0_pointer + 6'd1);
             delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
-            in_flight <= {in_flight[62:0], in_valid};
+            in_flight <= {in_flight[62:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
+            dropped <= in_flight[63] & ~end_or_last_or_inside_out_d5;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            end_d59 <= delay_58_from_0_out;
-            minus_center_x_d1 <= {~in_center_x[23], in_center_x[22:0]};
-            minus_center_x_d2 <= minus_center_x_d1;
-            minus_center_x_d3 <= minus_center_x_d2;
-            minus_center_y_d1 <= {~in_center_y[23], in_center_y[22:0]};
-            minus_center_y_d2 <= minus_center_y_d1;
-            minus_center_y_d3 <= minus_center_y_d2;
-            not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
-            rho_squared_in_order_d1 <= rho_squared_in_order;
-            rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
-            not_end_d1 <= not_end;
+        end_d59 <= delay_58_from_0_out;
+        minus_center_x_d1 <= {~in_center_x[23], in_center_x[22:0]};
+        minus_center_x_d2 <= minus_center_x_d1;
+        minus_center_x_d3 <= minus_center_x_d2;
+        minus_center_y_d1 <= {~in_center_y[23], in_center_y[22:0]};
+        minus_center_y_d2 <= minus_center_y_d1;
+        minus_center_y_d3 <= minus_center_y_d2;
+        not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
+        rho_squared_in_order_d1 <= rho_squared_in_order;
+        rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
+        not_end_d1 <= not_end;
+    end
+    always @(posedge clk) begin
+        delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_59_from_0_out, end_d59};
+        delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_6_from_0[delay_6_from_0_pointer] <= {
+            mul_f24_ftz_unit_copy9_y, mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy6_y,
+            add_f24_ftz_unit_copy3_y
+        };
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_9_from_0[delay_9_from_0_pointer] <= {in_bx, in_by, in_ax, in_ay};
+        delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_9_from_0_copy2[delay_9_from_0_copy2_pointer] <= {in_my, in_mx};
+        delay_9_from_0_copy2_out <= delay_9_from_0_copy2[delay_9_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
+        delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_23_from_0[delay_23_from_0_pointer] <= in_sight_disc;
+        delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_25_from_0[delay_25_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
+        delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_29_from_0[delay_29_from_0_pointer] <= rho_squared_both_copy2;
+        delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_32_from_0[delay_32_from_0_pointer] <= rho_squared_chosen_copy4;
+        delay_32_from_0_out <= delay_32_from_0[delay_32_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_58_from_0[delay_58_from_0_pointer] <= in_end;
+        delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_59_from_0[delay_59_from_0_pointer] <= in_last;
+        delay_59_from_0_out <= delay_59_from_0[delay_59_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_64_from_0[delay_64_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 68
+// width = 26
+module stream_fifo_d68_w26 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [25:0] item;
+
+    wire has_room = ~(held == 7'd68);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(26), .DEPTH(68)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd67) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd67) ? 7'd0 : (read_address + 7'd1);
         end
     end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_59_from_0_out, end_d59};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd68);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd68)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+`endif
     end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f24_ftz_unit_copy9_y, mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy6_y,
-                add_f24_ftz_unit_copy3_y
-            };
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
-        end
-        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
-        if (in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_23_from_0[delay_23_from_0_pointer] <= in_sight_disc;
-        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_25_from_0[delay_25_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
-        end
-        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_29_from_0[delay_29_from_0_pointer] <= rho_squared_both_copy2;
-        if (in_ready) delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_32_from_0[delay_32_from_0_pointer] <= rho_squared_chosen_copy4;
-        if (in_ready) delay_32_from_0_out <= delay_32_from_0[delay_32_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_58_from_0[delay_58_from_0_pointer] <= in_end;
-        if (in_ready) delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_59_from_0[delay_59_from_0_pointer] <= in_last;
-        if (in_ready) delay_59_from_0_out <= delay_59_from_0[delay_59_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_64_from_0[delay_64_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
-        end
-        if (in_ready) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
-    end
+`endif
 endmodule
 
 // Sampled function, interpolated linearly.
@@ -3960,15 +4800,785 @@ module float_from_fixed_s3_f24ftz_w10_f1_unsigned (
     wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
-// Queue of two in registers.
-// width = 26
-module stream_skid_w26 (
+// Control of the tile slots: placement, exchange with memory, end of frame.
+// slots = 2
+module splat_tile_cache (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
+    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
+    input  wire in_end,  // Closes the frame.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    input  wire [10:0] in_splat,  // Place of its splat's payload.
+    output wire out_valid, input wire out_ready,  // Copies with their slots.
+    output wire out_end,  // Closes the frame.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire [10:0] out_splat,  // Place of its splat's payload.
+    output wire out_slot,  // Slot of the tile cache.
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
+    output wire pixel_end,  // Closes the frame.
+    output wire [11:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire retire_valid,  // The accumulator is done with a copy.
+    input  wire retire_slot,  // Slot of the tile cache.
+    output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    output wire change_slot,  // Slot of the tile cache.
+    output wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    output wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    input  wire frame_end,  // The accumulator is done with the frame.
+    input  wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    input  wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    input  wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [11:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    output wire drain_enable,  // Read of a slot, until it is carried out.
+    output wire drain_slot,  // Slot of the tile cache.
+    output wire [5:0] drain_pixel,  // Pixel of the tile.
+    input  wire drained_valid,  // A pixel that was read.
+    input  wire [5:0] drained_pixel,  // Pixel of the tile.
+    input  wire [27:0] drained_weight,  // Sum of weights.
+    input  wire [51:0] drained_depth,  // Sum of weighted depths.
+    input  wire [15:0] drained_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire fill_valid,  // Write to a slot, until it is carried out.
+    output wire fill_slot,  // Slot of the tile cache.
+    output reg  [5:0] fill_pixel,  // Pixel of the tile.
+    output reg  [27:0] fill_weight,  // Sum of weights.
+    output reg  [51:0] fill_depth,  // Sum of weighted depths.
+    output reg  [15:0] fill_peak,  // The largest single weight, with cardinal attributes only.
+    output reg  [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+);
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
+    reg [11:0] head_tile;  // Tile index: row above column.
+    reg [10:0] head_splat;  // Place of its splat's payload.
+    reg [1:0] mode;
+    reg frame_ended;
+    reg [11:0] place;
+    reg walking, place_read;
+    reg [11:0] read_place;
+    reg place_seen;
+    reg [11:0] seen_place;
+    reg [63:0] mask;
+    reg looking;
+    reg [1:0] unchanged;
+    reg changed, moving, slot, comes;
+    reg [11:0] tile;
+    reg goes;
+    reg [11:0] goes_tile;
+    reg [63:0] wanted_rest;
+    reg [2:0] wanted_row;
+    reg [7:0] wanted_left;
+    reg [11:0] wanted_tile;
+    reg [5:0] awaited;
+    reg [2:0] came;
+    reg filling;
+    reg [1:0] taken_banks;
+    reg [63:0] leaving_rest;
+    reg [2:0] leaving_row;
+    reg [7:0] leaving_left;
+    reg [3:0] owed;
+    reg next;
+    reg [11:0] tile_0;
+    reg resident_0, ready_0;
+    reg [7:0] in_flight_0;
+    reg used_0, is_of_copy_0;
+    reg [11:0] tile_1;
+    reg resident_1, ready_1;
+    reg [7:0] in_flight_1;
+    reg used_1, is_of_copy_1;
+    wire [63:0] stored_mask;
+
+    wire in_queue_out_valid;
+    wire [51:0] in_queue_out_data;
+    wire out_queue_in_ready;
+    wire [52:0] out_queue_out_data;
+    wire pixel_queue_in_ready;
+    wire [338:0] pixel_queue_out_data;
+    wire read_queue_in_ready;
+    wire [21:0] read_queue_out_data;
+    wire asked_runs_in_ready, asked_runs_out_valid;
+    wire [21:0] asked_runs_out_data;
+    wire write_queue_in_ready;
+    wire [337:0] write_queue_out_data;
+
+    wire [63:0] mask_that_comes = {64{comes}} & mask;
+    wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
+    wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
+    wire leaving_place_either = leaving_left[0] | leaving_left[1];
+    wire leaving_place_both_2 = leaving_left[2] & ~leaving_place_either;
+    wire [2:0] leaving_place_either_2 = ({3{leaving_place_both}} & 3'd1) | ({3{leaving_place_both_2}} & 3'd2);
+    wire leaving_place_either_3 = leaving_place_either | leaving_left[2];
+    wire leaving_place_both_3 = leaving_left[3] & ~leaving_place_either_3;
+    wire leaving_place_either_4 = leaving_place_either_3 | leaving_left[3];
+    wire leaving_place_both_4 = leaving_left[4] & ~leaving_place_either_4;
+    wire [2:0] leaving_place_either_5 = leaving_place_either_2 | ({3{leaving_place_both_3}} & 3'd3) | ({3{leaving_place_both_4}} & 3'd4);
+    wire leaving_place_either_6 = leaving_place_either_4 | leaving_left[4];
+    wire leaving_place_both_5 = leaving_left[5] & ~leaving_place_either_6;
+    wire leaving_place_either_7 = leaving_place_either_6 | leaving_left[5];
+    wire leaving_place_both_6 = leaving_left[6] & ~leaving_place_either_7;
+    wire [2:0] leaving_place_either_8 = leaving_place_either_5 | ({3{leaving_place_both_5}} & 3'd5) | ({3{leaving_place_both_6}} & 3'd6);
+    wire leaving_place_both_7 = leaving_left[7] & ~(leaving_place_either_7 | leaving_left[6]);
+    wire [2:0] leaving_place = leaving_place_either_8 | {3{leaving_place_both_7}};
+    wire mode_is_3 = mode == 2'd3;
+    wire leaving_is_empty = (leaving_rest == 64'd0) & (leaving_left == 8'd0);
+    wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
+    wire may_fill_either = leaving_is_empty | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
+    wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
+    wire fills = filling & ~fills_shifted[0];
+    wire may_fill = moving & may_fill_either & (~filling | fills);
+    wire takes_data = asked_runs_out_valid & (mode_is_3 ? pixel_queue_in_ready : may_fill);
+    wire mask_is_kept = changed & goes;
+    wire mode_is_0 = mode == 2'd0;
+    wire has_pixels = place_seen & |mask;
+    wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
+    wire advance = mode_is_3 & (~has_pixels | wanted_is_empty);
+    wire head_waits = (mode == 2'd1) & head_valid;
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
+    wire copy_slot = resident_1 & is_of_copy_1;
+    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire waits_inverted = ~(looking | |unchanged | (changed | moving));
+    wire vacate_either = (~next & ((in_flight_0 == 8'd0) & ~used_0)) | (next & ((in_flight_1 == 8'd0) & ~used_1));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either));
+    wire head_takes = ~head_valid;
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
+    wire send_end = head_waits & (head_end & out_queue_in_ready);
+    wire send_or_send_end = send | send_end;
+    wire close_both = wanted_is_empty & (awaited == 6'd0);
+    wire close = mode_is_3 & ~(walking | place_read | place_seen) & (close_both & pixel_queue_in_ready);
+    wire beat = takes_data & data_valid;
+    wire visible = mode_is_3 & beat & |data_weight;
+    wire [11:0] asked_runs_out_tile = asked_runs_out_data[21:10];
+    wire [5:0] coming_pixel = asked_runs_out_pixel + {3'd0, came};
+    wire asks = |wanted_left & (read_queue_in_ready & asked_runs_in_ready);
+    wire wanted_place_both = wanted_left[1] & ~wanted_left[0];
+    wire wanted_left_0_or_wanted_left_1 = wanted_left[0] | wanted_left[1];
+    wire wanted_place_both_2 = wanted_left[2] & ~wanted_left_0_or_wanted_left_1;
+    wire [2:0] wanted_place_either = ({3{wanted_place_both}} & 3'd1) | ({3{wanted_place_both_2}} & 3'd2);
+    wire wanted_place_either_2 = wanted_left_0_or_wanted_left_1 | wanted_left[2];
+    wire wanted_place_both_3 = wanted_left[3] & ~wanted_place_either_2;
+    wire wanted_place_either_3 = wanted_place_either_2 | wanted_left[3];
+    wire wanted_place_both_4 = wanted_left[4] & ~wanted_place_either_3;
+    wire [2:0] wanted_place_either_4 = wanted_place_either | ({3{wanted_place_both_3}} & 3'd3) | ({3{wanted_place_both_4}} & 3'd4);
+    wire wanted_place_either_5 = wanted_place_either_3 | wanted_left[4];
+    wire wanted_place_both_5 = wanted_left[5] & ~wanted_place_either_5;
+    wire wanted_place_either_6 = wanted_place_either_5 | wanted_left[5];
+    wire wanted_place_both_6 = wanted_left[6] & ~wanted_place_either_6;
+    wire [2:0] wanted_place_either_7 = wanted_place_either_4 | ({3{wanted_place_both_5}} & 3'd5) | ({3{wanted_place_both_6}} & 3'd6);
+    wire wanted_place_both_7 = wanted_left[7] & ~(wanted_place_either_6 | wanted_left[6]);
+    wire [2:0] wanted_place = wanted_place_either_7 | {3{wanted_place_both_7}};
+    wire wanted_count_both = wanted_left[1] & (wanted_place_both | wanted_left[0]);
+    wire wanted_count_both_2 = wanted_left[2] & (wanted_place_both_2 | wanted_count_both);
+    wire [3:0] wanted_count_either = ({4{wanted_left[0] & ~wanted_count_both}} & 4'd1) | ({4{wanted_count_both & ~wanted_count_both_2}} & 4'd2);
+    wire wanted_count_both_3 = wanted_left[3] & (wanted_place_both_3 | wanted_count_both_2);
+    wire [3:0] wanted_count_either_2 = wanted_count_either | ({4{wanted_count_both_2 & ~wanted_count_both_3}} & 4'd3);
+    wire wanted_count_both_4 = wanted_left[4] & (wanted_place_both_4 | wanted_count_both_3);
+    wire [3:0] wanted_count_either_3 = wanted_count_either_2 | ({4{wanted_count_both_3 & ~wanted_count_both_4}} & 4'd4);
+    wire wanted_count_both_5 = wanted_left[5] & (wanted_place_both_5 | wanted_count_both_4);
+    wire [3:0] wanted_count_either_4 = wanted_count_either_3 | ({4{wanted_count_both_4 & ~wanted_count_both_5}} & 4'd5);
+    wire wanted_count_both_6 = wanted_left[6] & (wanted_place_both_6 | wanted_count_both_5);
+    wire [3:0] wanted_count_either_5 = wanted_count_either_4 | ({4{wanted_count_both_5 & ~wanted_count_both_6}} & 4'd6);
+    wire wanted_count_both_7 = wanted_left[7] & (wanted_place_both_7 | wanted_count_both_6);
+    wire [3:0] wanted_count_either_6 = wanted_count_either_5 | ({4{wanted_count_both_6 & ~wanted_count_both_7}} & 4'd7);
+    wire [3:0] wanted_count = (wanted_count_either_6 | ({4{wanted_count_both_7}} & 4'd8)) - {1'd0, wanted_place};
+    wire [21:0] read_queue_in_data_bits = {wanted_tile, wanted_row, wanted_place, wanted_count};
+    wire [3:0] came_now = {1'd0, came} + 4'd1;
+    wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
+    wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire in_queue_out_end = in_queue_out_data[51];
+    wire [2:0] in_queue_out_left = in_queue_out_data[50:48];
+    wire [2:0] in_queue_out_right = in_queue_out_data[47:45];
+    wire [2:0] in_queue_out_top = in_queue_out_data[44:42];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[41:39];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[38:35];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[34:31];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[30:27];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[26:23];
+    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
+    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire last_place = &place;
+    wire waits = (mode == 2'd2) & waits_inverted;
+    wire any_resident = |{resident_0, resident_1};
+    wire finish = waits & (frame_ended & ~any_resident);
+    wire goes_either = (~next & resident_0) | (next & resident_1);
+    wire vacate = waits & (goes_either & vacate_either);
+    wire job_starts = start | vacate;
+    wire [1:0] still_unchanged = unchanged & sample_reads;
+    wire change = |unchanged & (still_unchanged == 2'd0);
+    wire done = moving & (leaving_is_empty & (owed == 4'd0) & (close_both & ~filling));
+    wire sends = advance & has_pixels;
+    wire begins = sends | (change & comes);
+    wire [7:0] wanted_run = {
+        wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
+        wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
+    };
+    wire [7:0] wanted_row_ends_both = wanted_left & ~({8{asks}} & wanted_run);
+    wire wanted_row_ends = wanted_row_ends_both == 8'd0;
+    wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
+    wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
+    wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
+    wire wanted_row_either_4 = wanted_row_either_3 | |wanted_rest[39:32];
+    wire wanted_row_either_5 = wanted_row_either_4 | |wanted_rest[47:40];
+    wire wanted_row_both = |wanted_rest[63:56] & ~(wanted_row_either_5 | |wanted_rest[55:48]);
+    wire [7:0] wanted_rest_bits = {8{wanted_row_both}};
+    wire wanted_row_both_2 = |wanted_rest[55:48] & ~wanted_row_either_5;
+    wire [7:0] wanted_rest_bits_2 = {8{wanted_row_both_2}};
+    wire wanted_row_both_3 = |wanted_rest[47:40] & ~wanted_row_either_4;
+    wire [7:0] wanted_rest_bits_3 = {8{wanted_row_both_3}};
+    wire wanted_row_both_4 = |wanted_rest[39:32] & ~wanted_row_either_3;
+    wire [7:0] wanted_rest_bits_4 = {8{wanted_row_both_4}};
+    wire wanted_row_both_5 = |wanted_rest[31:24] & ~wanted_row_either_2;
+    wire [7:0] wanted_rest_bits_5 = {8{wanted_row_both_5}};
+    wire wanted_row_both_6 = |wanted_rest[23:16] & ~wanted_row_either;
+    wire [7:0] wanted_rest_bits_6 = {8{wanted_row_both_6}};
+    wire wanted_row_both_7 = |wanted_rest[15:8] & ~(|wanted_rest[7:0]);
+    wire [7:0] wanted_rest_bits_7 = {8{wanted_row_both_7}};
+    wire [7:0] wanted_rest_bits_8 = {8{|wanted_rest[7:0]}};
+    wire [63:0] wanted_rest_bits_9 = {
+        wanted_rest_bits, wanted_rest_bits_2, wanted_rest_bits_3, wanted_rest_bits_4, wanted_rest_bits_5,
+        wanted_rest_bits_6, wanted_rest_bits_7, wanted_rest_bits_8
+    };
+    wire [2:0] wanted_row_either_6 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
+    wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
+    wire [2:0] wanted_row_either_8 = wanted_row_either_7 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
+    wire [7:0] wanted_left_either = (wanted_rest_bits_8 & wanted_rest[7:0]) | (wanted_rest_bits_7 & wanted_rest[15:8]);
+    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_rest_bits_6 & wanted_rest[23:16]) | (wanted_rest_bits_5 & wanted_rest[31:24]);
+    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_rest_bits_4 & wanted_rest[39:32]) | (wanted_rest_bits_3 & wanted_rest[47:40]);
+    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_rest_bits_2 & wanted_rest[55:48]) | (wanted_rest_bits & wanted_rest[63:56]);
+    wire beat_and_not_mode_is_3 = beat & ~mode_is_3;
+    wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
+    wire drains = offers_drain & ~drains_shifted[0];
+    wire [7:0] leaving_row_ends_bits = {
+        leaving_place_both_7, leaving_place_both_6, leaving_place_both_5, leaving_place_both_4,
+        leaving_place_both_3, leaving_place_both_2, leaving_place_both, leaving_left[0]
+    };
+    wire [7:0] leaving_row_ends_both = leaving_left & ~({8{drains}} & leaving_row_ends_bits);
+    wire leaving_row_ends = leaving_row_ends_both == 8'd0;
+    wire leaving_row_either = |leaving_rest[7:0] | |leaving_rest[15:8];
+    wire leaving_row_either_2 = leaving_row_either | |leaving_rest[23:16];
+    wire leaving_row_either_3 = leaving_row_either_2 | |leaving_rest[31:24];
+    wire leaving_row_either_4 = leaving_row_either_3 | |leaving_rest[39:32];
+    wire leaving_row_either_5 = leaving_row_either_4 | |leaving_rest[47:40];
+    wire leaving_row_both = |leaving_rest[63:56] & ~(leaving_row_either_5 | |leaving_rest[55:48]);
+    wire [7:0] leaving_rest_bits = {8{leaving_row_both}};
+    wire leaving_row_both_2 = |leaving_rest[55:48] & ~leaving_row_either_5;
+    wire [7:0] leaving_rest_bits_2 = {8{leaving_row_both_2}};
+    wire leaving_row_both_3 = |leaving_rest[47:40] & ~leaving_row_either_4;
+    wire [7:0] leaving_rest_bits_3 = {8{leaving_row_both_3}};
+    wire leaving_row_both_4 = |leaving_rest[39:32] & ~leaving_row_either_3;
+    wire [7:0] leaving_rest_bits_4 = {8{leaving_row_both_4}};
+    wire leaving_row_both_5 = |leaving_rest[31:24] & ~leaving_row_either_2;
+    wire [7:0] leaving_rest_bits_5 = {8{leaving_row_both_5}};
+    wire leaving_row_both_6 = |leaving_rest[23:16] & ~leaving_row_either;
+    wire [7:0] leaving_rest_bits_6 = {8{leaving_row_both_6}};
+    wire leaving_row_both_7 = |leaving_rest[15:8] & ~(|leaving_rest[7:0]);
+    wire [7:0] leaving_rest_bits_7 = {8{leaving_row_both_7}};
+    wire [7:0] leaving_rest_bits_8 = {8{|leaving_rest[7:0]}};
+    wire [63:0] leaving_rest_bits_9 = {
+        leaving_rest_bits, leaving_rest_bits_2, leaving_rest_bits_3, leaving_rest_bits_4, leaving_rest_bits_5,
+        leaving_rest_bits_6, leaving_rest_bits_7, leaving_rest_bits_8
+    };
+    wire [2:0] leaving_row_either_6 = ({3{leaving_row_both_7}} & 3'd1) | ({3{leaving_row_both_6}} & 3'd2);
+    wire [2:0] leaving_row_either_7 = leaving_row_either_6 | ({3{leaving_row_both_5}} & 3'd3) | ({3{leaving_row_both_4}} & 3'd4);
+    wire [2:0] leaving_row_either_8 = leaving_row_either_7 | ({3{leaving_row_both_3}} & 3'd5) | ({3{leaving_row_both_2}} & 3'd6);
+    wire [7:0] leaving_left_either = (leaving_rest_bits_8 & leaving_rest[7:0]) | (leaving_rest_bits_7 & leaving_rest[15:8]);
+    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_rest_bits_6 & leaving_rest[23:16]);
+    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_rest_bits_5 & leaving_rest[31:24]);
+    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_rest_bits_4 & leaving_rest[39:32]);
+    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_rest_bits_3 & leaving_rest[47:40]);
+    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_rest_bits_2 & leaving_rest[55:48]);
+    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_rest_bits & leaving_rest[63:56]);
+    wire pixel_leaves = write_valid & write_ready;
+    wire starts = job_starts;
+    wire skips = (~next & used_0) | (next & used_1);
+    wire start_and_not_next = start & ~next;
+    wire starts_and_not_next = starts & ~next;
+    wire done_and_comes = done & comes;
+    wire done_and_comes_and_not_slot = done_and_comes & ~slot;
+    wire send_and_not_copy_slot = send & ~copy_slot;
+    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
+    wire start_and_next = start & next;
+    wire starts_and_next = starts & next;
+    wire done_and_comes_and_slot = done_and_comes & slot;
+    wire send_and_copy_slot = send & copy_slot;
+    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
+
+    assign {
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat, out_slot
+    } = out_queue_out_data;
+    assign {
+        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
+        pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
+        pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
+        pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
+    } = pixel_queue_out_data;
+    assign slot_ready = {ready_1, ready_0};
+    assign change_valid = |unchanged;
+    assign change_slot = slot;
+    assign change_banks = unchanged;
+    assign change_held = mask_that_comes;
+    assign {read_tile, read_pixel, read_count} = read_queue_out_data;
+    assign drain_enable = offers_drain;
+    assign drain_slot = slot;
+    assign drain_pixel = {leaving_row, leaving_place};
+    assign {
+        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
+        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
+        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
+        write_attribute_12, write_cardinal_0
+    } = write_queue_out_data;
+    assign data_ready = takes_data;
+    assign fill_valid = filling;
+    assign fill_slot = slot;
+
+    memory_1w1r_unordered #(.WIDTH(64), .DEPTH(4096)) stored_masks (
+        .clk(clk), .write(mask_is_kept | (mode_is_0 | (advance & place_seen))),
+        .write_address(mask_is_kept ? goes_tile : mode_is_0 ? place : seen_place),
+        .write_data({64{mask_is_kept}} & masks_written),
+        .read(start | advance), .read_address(mode_is_3 ? place : head_tile), .read_data(stored_mask)
+    );
+
+    stream_half_buffer_w52 in_queue (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+        .in_data({
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
+    );
+
+    stream_fifo_d16_w53_distributed out_queue (
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
+        .in_data({
+            head_end, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, head_splat, copy_slot
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+    );
+
+    stream_skid_w339 pixel_queue (
+        .clk(clk), .rst(rst), .in_valid(close | visible), .in_ready(pixel_queue_in_ready),
+        .in_data({
+            close, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_peak, data_attribute_0,
+            data_attribute_1, data_attribute_2, data_attribute_3, data_attribute_4, data_attribute_5,
+            data_attribute_6, data_attribute_7, data_attribute_8, data_attribute_9, data_attribute_10,
+            data_attribute_11, data_attribute_12, data_cardinal_0
+        }),
+        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+    );
+
+    stream_skid_w22 read_queue (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(read_queue_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(read_valid), .out_ready(read_ready), .out_data(read_queue_out_data)
+    );
+
+    stream_fifo_d32_w22_distributed asked_runs (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(asked_runs_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(asked_runs_out_valid), .out_ready(run_ends), .out_data(asked_runs_out_data)
+    );
+
+    stream_fifo_d8_w338_distributed write_queue (
+        .clk(clk), .rst(rst), .in_valid(drained_valid), .in_ready(write_queue_in_ready),
+        .in_data({
+            goes_tile, drained_pixel, drained_weight, drained_depth, drained_peak, drained_attribute_0,
+            drained_attribute_1, drained_attribute_2, drained_attribute_3, drained_attribute_4,
+            drained_attribute_5, drained_attribute_6, drained_attribute_7, drained_attribute_8,
+            drained_attribute_9, drained_attribute_10, drained_attribute_11, drained_attribute_12,
+            drained_cardinal_0
+        }),
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            head_valid <= 1'd0;
+            mode <= 2'd0;
+            frame_ended <= 1'd0;
+            place <= 12'd0;
+            walking <= 1'd0;
+            place_read <= 1'd0;
+            place_seen <= 1'd0;
+            looking <= 1'd0;
+            unchanged <= 2'd0;
+            changed <= 1'd0;
+            moving <= 1'd0;
+            wanted_rest <= 64'd0;
+            wanted_left <= 8'd0;
+            awaited <= 6'd0;
+            came <= 3'd0;
+            filling <= 1'd0;
+            taken_banks <= 2'd0;
+            leaving_rest <= 64'd0;
+            leaving_left <= 8'd0;
+            owed <= 4'd0;
+            next <= 1'd0;
+            resident_0 <= 1'd0;
+            ready_0 <= 1'd0;
+            in_flight_0 <= 8'd0;
+            used_0 <= 1'd0;
+            resident_1 <= 1'd0;
+            ready_1 <= 1'd0;
+            in_flight_1 <= 8'd0;
+            used_1 <= 1'd0;
+        end else begin
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_place) | close) ? 2'd1 : send_end ? 2'd2 : finish ? 2'd3 : mode;
+            looking <= job_starts;
+            unchanged <= still_unchanged | {2{looking}};
+            changed <= change;
+            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_row_ends_both;
+            awaited <= (awaited + {5'd0, asks}) - {5'd0, run_ends};
+            filling <= beat_and_not_mode_is_3 | (filling & ~fills);
+            taken_banks <= sample_writes;
+            leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
+            owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
+            used_0 <= send_and_not_copy_slot | (used_0 & next);
+            used_1 <= send_and_copy_slot | (used_1 & ~next);
+            if (frame_end | finish) frame_ended <= frame_end;
+            if (mode_is_0 | (advance & walking)) place <= place + 12'd1;
+            if (finish | advance) walking <= finish | (walking & ~last_place);
+            if (advance) begin
+                place_read <= walking;
+                place_seen <= place_read;
+            end
+            if (changed | done) moving <= changed;
+            if (begins | wanted_row_ends) begin
+                wanted_rest <= begins ? mask : (wanted_rest & ~wanted_rest_bits_9);
+            end
+            if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
+            if (mask_is_kept | leaving_row_ends) begin
+                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
+            end
+            if (starts | skips | (waits & ~finish)) next <= next ? 1'd0 : (next + 1'd1);
+            if (starts_and_not_next) resident_0 <= start_and_not_next;
+            if (done_and_comes_and_not_slot | starts_and_not_next) begin
+                ready_0 <= done_and_comes_and_not_slot;
+            end
+            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
+                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            end
+            if (starts_and_next) resident_1 <= start_and_next;
+            if (done_and_comes_and_slot | starts_and_next) ready_1 <= done_and_comes_and_slot;
+            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
+                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (head_takes) begin
+            head_end <= in_queue_out_end;
+            head_left <= in_queue_out_left;
+            head_right <= in_queue_out_right;
+            head_top <= in_queue_out_top;
+            head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
+            head_tile <= in_queue_out_tile;
+            head_splat <= in_queue_out_splat;
+        end
+        if (advance) begin
+            read_place <= place;
+            seen_place <= read_place;
+        end
+        if (looking | advance) mask <= stored_mask;
+        if (job_starts) begin
+            slot <= next;
+            comes <= start;
+            tile <= head_tile;
+            goes <= goes_either;
+            goes_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
+        end
+        if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
+        if (begins) wanted_tile <= sends ? seen_place : tile;
+        if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
+        if (start_and_not_next) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
+        if (start_and_next) tile_1 <= head_tile;
+        if (beat_and_not_mode_is_3) begin
+            fill_pixel <= coming_pixel;
+            fill_weight <= data_weight;
+            fill_depth <= data_depth;
+            fill_peak <= data_peak;
+            fill_attribute_0 <= data_attribute_0;
+            fill_attribute_1 <= data_attribute_1;
+            fill_attribute_2 <= data_attribute_2;
+            fill_attribute_3 <= data_attribute_3;
+            fill_attribute_4 <= data_attribute_4;
+            fill_attribute_5 <= data_attribute_5;
+            fill_attribute_6 <= data_attribute_6;
+            fill_attribute_7 <= data_attribute_7;
+            fill_attribute_8 <= data_attribute_8;
+            fill_attribute_9 <= data_attribute_9;
+            fill_attribute_10 <= data_attribute_10;
+            fill_attribute_11 <= data_attribute_11;
+            fill_attribute_12 <= data_attribute_12;
+            fill_cardinal_0 <= data_cardinal_0;
+        end
+    end
+
+    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], write_queue_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
+`else
+        if (!(~drained_valid | write_queue_in_ready)) begin
+            $display("assertion failed: drained_pixels_find_room in %m"); $stop;
+        end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
+        end
+        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 8
+// width = 338
+// storage = distributed
+module stream_fifo_d8_w338_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [337:0] entries [0:7];
+    reg [3:0] held, waiting;
+    reg [2:0] write_address, read_address;
+    reg [337:0] item;
+
+    wire has_room = ~held[3];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 3'd1;
+            if (fetch) read_address <= read_address + 3'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd8);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 32
+// width = 22
+// storage = distributed
+module stream_fifo_d32_w22_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [21:0] entries [0:31];
+    reg [5:0] held, waiting;
+    reg [4:0] write_address, read_address;
+    reg [21:0] item;
+
+    wire has_room = ~held[5];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 5'd1;
+            if (fetch) read_address <= read_address + 5'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd32);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 22
+module stream_skid_w22 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg second_valid;
-    reg [25:0] head, second;
+    reg [21:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -3997,620 +5607,6 @@ module stream_skid_w26 (
 `else
         if (!(out_valid | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 2
-module splat_tile_cache (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
-    input  wire in_end,  // Closes the frame.
-    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [23:0] in_ax,  // `A` in x.
-    input  wire [23:0] in_bx,  // `B` in x.
-    input  wire [23:0] in_ay,  // `A` in y.
-    input  wire [23:0] in_by,  // `B` in y.
-    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [23:0] in_mx,  // `m` in x.
-    input  wire [23:0] in_my,  // `m` in y.
-    input  wire in_sight_negative,  // `D` is negative before the eye.
-    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
-    input  wire [15:0] in_attribute_3,  // Attributes.
-    input  wire [15:0] in_attribute_4,  // Attributes.
-    input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
-    input  wire [15:0] in_cardinal_0,  // Attributes.
-    input  wire [2:0] in_left,  // First column.
-    input  wire [2:0] in_right,  // Last column.
-    input  wire [2:0] in_top,  // First row.
-    input  wire [2:0] in_bottom,  // Last row.
-    input  wire [3:0] in_first_sum,  // Smallest sum.
-    input  wire [3:0] in_last_sum,  // Largest sum.
-    input  wire [3:0] in_first_difference,  // Smallest difference.
-    input  wire [3:0] in_last_difference,  // Largest difference.
-    input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid, input wire out_ready,  // Copies with their slots.
-    output wire out_end,  // Closes the frame.
-    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [23:0] out_ax,  // `A` in x.
-    output wire [23:0] out_bx,  // `B` in x.
-    output wire [23:0] out_ay,  // `A` in y.
-    output wire [23:0] out_by,  // `B` in y.
-    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [23:0] out_mx,  // `m` in x.
-    output wire [23:0] out_my,  // `m` in y.
-    output wire out_sight_negative,  // `D` is negative before the eye.
-    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
-    output wire [15:0] out_attribute_3,  // Attributes.
-    output wire [15:0] out_attribute_4,  // Attributes.
-    output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
-    output wire [15:0] out_cardinal_0,  // Attributes.
-    output wire [2:0] out_left,  // First column.
-    output wire [2:0] out_right,  // Last column.
-    output wire [2:0] out_top,  // First row.
-    output wire [2:0] out_bottom,  // Last row.
-    output wire [3:0] out_first_sum,  // Smallest sum.
-    output wire [3:0] out_last_sum,  // Largest sum.
-    output wire [3:0] out_first_difference,  // Smallest difference.
-    output wire [3:0] out_last_difference,  // Largest difference.
-    output wire [11:0] out_tile,  // Tile index: row above column.
-    output wire out_slot,  // Slot of the tile cache.
-    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
-    output reg  [11:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
-    input  wire [27:0] data_weight,  // Sum of weights.
-    input  wire [51:0] data_depth,  // Sum of weighted depths.
-    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
-    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
-    output wire [11:0] write_tile,  // Tile index.
-    output wire [5:0] write_pixel,  // Pixel of the tile.
-    output wire [27:0] write_weight,  // Sum of weights.
-    output wire [51:0] write_depth,  // Sum of weighted depths.
-    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
-    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
-    output wire pixel_end,  // Closes the frame.
-    output wire [11:0] pixel_tile,  // Tile index.
-    output wire [5:0] pixel_pixel,  // Pixel of the tile.
-    output wire [27:0] pixel_weight,  // Sum of weights.
-    output wire [51:0] pixel_depth,  // Sum of weighted depths.
-    output wire [15:0] pixel_peak,  // The largest single weight, with cardinal attributes only.
-    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
-    input  wire retire_valid,  // The accumulator is done with a copy.
-    input  wire retire_slot,  // Slot of the tile cache.
-    input  wire frame_end,  // The accumulator is done with the frame.
-    output reg  fill_valid,  // Write to a slot.
-    output wire fill_slot,  // Slot of the tile cache.
-    output reg  [5:0] fill_pixel,  // Pixel of the tile.
-    output reg  [27:0] fill_weight,  // Sum of weights.
-    output reg  [51:0] fill_depth,  // Sum of weighted depths.
-    output reg  [15:0] fill_peak,  // The largest single weight, with cardinal attributes only.
-    output reg  [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire drain_enable,  // Read of a slot.
-    output wire drain_slot,  // Slot of the tile cache.
-    output wire [5:0] drain_pixel,  // Pixel of the tile.
-    input  wire [27:0] drain_weight,  // Sum of weights.
-    input  wire [51:0] drain_depth,  // Sum of weighted depths.
-    input  wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
-    input  wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-);
-    reg head_valid;
-    reg head_end;  // Closes the frame.
-    reg [23:0] head_center_x;  // Projected center (px), the origin of what follows.
-    reg [23:0] head_center_y;  // Projected center (px), the origin of what follows.
-    reg [23:0] head_ax;  // `A` in x.
-    reg [23:0] head_bx;  // `B` in x.
-    reg [23:0] head_ay;  // `A` in y.
-    reg [23:0] head_by;  // `B` in y.
-    reg [23:0] head_delta;  // The determinant of `A` and `B`.
-    reg [23:0] head_mx;  // `m` in x.
-    reg [23:0] head_my;  // `m` in y.
-    reg head_sight_negative;  // `D` is negative before the eye.
-    reg [22:0] head_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    reg [22:0] head_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    reg head_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    reg head_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    reg [23:0] head_depth;  // Depth.
-    reg [23:0] head_depth_low;  // What is nearer hides the splat.
-    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
-    reg [15:0] head_attribute_0;  // Attributes.
-    reg [15:0] head_attribute_1;  // Attributes.
-    reg [15:0] head_attribute_2;  // Attributes.
-    reg [15:0] head_attribute_3;  // Attributes.
-    reg [15:0] head_attribute_4;  // Attributes.
-    reg [15:0] head_attribute_5;  // Attributes.
-    reg [15:0] head_attribute_6;  // Attributes.
-    reg [15:0] head_attribute_7;  // Attributes.
-    reg [15:0] head_attribute_8;  // Attributes.
-    reg [15:0] head_attribute_9;  // Attributes.
-    reg [15:0] head_attribute_10;  // Attributes.
-    reg [15:0] head_attribute_11;  // Attributes.
-    reg [15:0] head_attribute_12;  // Attributes.
-    reg [15:0] head_cardinal_0;  // Attributes.
-    reg [2:0] head_left;  // First column.
-    reg [2:0] head_right;  // Last column.
-    reg [2:0] head_top;  // First row.
-    reg [2:0] head_bottom;  // Last row.
-    reg [3:0] head_first_sum;  // Smallest sum.
-    reg [3:0] head_last_sum;  // Largest sum.
-    reg [3:0] head_first_difference;  // Smallest difference.
-    reg [3:0] head_last_difference;  // Largest difference.
-    reg [11:0] head_tile;  // Tile index: row above column.
-    reg [2:0] mode;
-    reg frame_ended;
-    reg [11:0] code;
-    reg code_read, looking, looked, moving, slot, evict;
-    reg [11:0] evict_tile;
-    reg load;
-    reg [6:0] drained;
-    reg showing;
-    reg [5:0] shown_pixel;
-    reg holding;
-    reg [5:0] held_pixel;
-    reg [6:0] filled;
-    reg next;
-    reg [11:0] tile_0;
-    reg resident_0, ready_0;
-    reg [7:0] in_flight_0;
-    reg used_0, is_of_copy_0, is_of_code_0;
-    reg [11:0] tile_1;
-    reg resident_1, ready_1;
-    reg [7:0] in_flight_1;
-    reg used_1, is_of_copy_1, is_of_code_1;
-    wire stored_touched;
-    reg touched;
-
-    wire in_queue_out_valid;
-    wire [601:0] in_queue_out_data;
-    wire out_queue_in_ready;
-    wire [602:0] out_queue_out_data;
-    wire write_queue_in_ready;
-    wire [337:0] write_queue_out_data;
-    wire pixel_queue_in_ready;
-    wire [338:0] pixel_queue_out_data;
-
-    wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire mode_is_6 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
-    wire mode_is_5 = mode == 3'd5;
-    wire draining = mode_is_5 | (moving & evict);
-    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & drain_step_either;
-    wire mode_is_0 = mode == 3'd0;
-    wire mode_is_4 = mode == 3'd4;
-    wire mode_is_3 = mode == 3'd3;
-    wire head_takes = ~head_valid;
-    wire head_waits = (mode == 3'd1) & head_valid;
-    wire head_waits_and_not_head_end = head_waits & ~head_end;
-    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
-    wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire send_or_send_end = send | send_end;
-    wire held_leaves = holding & drain_step;
-    wire close = (mode == 3'd7) & pixel_queue_in_ready;
-    wire beat = take_data & data_valid;
-    wire mode_is_6_and_beat = mode_is_6 & beat;
-    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
-    wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[601];
-    wire [23:0] in_queue_out_center_x = in_queue_out_data[600:577];
-    wire [23:0] in_queue_out_center_y = in_queue_out_data[576:553];
-    wire [23:0] in_queue_out_ax = in_queue_out_data[552:529];
-    wire [23:0] in_queue_out_bx = in_queue_out_data[528:505];
-    wire [23:0] in_queue_out_ay = in_queue_out_data[504:481];
-    wire [23:0] in_queue_out_by = in_queue_out_data[480:457];
-    wire [23:0] in_queue_out_delta = in_queue_out_data[456:433];
-    wire [23:0] in_queue_out_mx = in_queue_out_data[432:409];
-    wire [23:0] in_queue_out_my = in_queue_out_data[408:385];
-    wire in_queue_out_sight_negative = in_queue_out_data[384];
-    wire [22:0] in_queue_out_sight_near = in_queue_out_data[383:361];
-    wire [22:0] in_queue_out_sight_far = in_queue_out_data[360:338];
-    wire in_queue_out_sight_turned = in_queue_out_data[337];
-    wire in_queue_out_sight_disc = in_queue_out_data[336];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[335:312];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[311:288];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[287:264];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[263:248];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[247:232];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[231:216];
-    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[215:200];
-    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[199:184];
-    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[183:168];
-    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[167:152];
-    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[151:136];
-    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[135:120];
-    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[119:104];
-    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[103:88];
-    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[87:72];
-    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[71:56];
-    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[55:40];
-    wire [2:0] in_queue_out_left = in_queue_out_data[39:37];
-    wire [2:0] in_queue_out_right = in_queue_out_data[36:34];
-    wire [2:0] in_queue_out_top = in_queue_out_data[33:31];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[30:28];
-    wire [3:0] in_queue_out_first_sum = in_queue_out_data[27:24];
-    wire [3:0] in_queue_out_last_sum = in_queue_out_data[23:20];
-    wire [3:0] in_queue_out_first_difference = in_queue_out_data[19:16];
-    wire [3:0] in_queue_out_last_difference = in_queue_out_data[15:12];
-    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
-    wire last_code = &code;
-    wire finish_inverted = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
-    wire showing_or_holding = showing | holding;
-    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
-    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
-    wire sent_slot = resident_1 & is_of_code_1;
-    wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire start_either = (~next & ((in_flight_0 == 8'd0) & ~used_0)) | (next & ((in_flight_1 == 8'd0) & ~used_1));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either));
-    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
-    wire done = moving & (filled[6] & done_both);
-    wire start_or_mode_is_4 = start | mode_is_4;
-    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
-    wire looked_or_mode_is_4 = looked | mode_is_4;
-    wire drain_next = drain_step & ~drained[6];
-    wire fill = may_fill & (~load | data_valid);
-    wire skips = (~next & used_0) | (next & used_1);
-    wire start_and_not_next = start & ~next;
-    wire done_and_not_slot = done & ~slot;
-    wire send_and_not_copy_slot = send & ~copy_slot;
-    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
-    wire start_and_next = start & next;
-    wire done_and_slot = done & slot;
-    wire send_and_copy_slot = send & copy_slot;
-    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
-
-    assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile,
-        out_slot
-    } = out_queue_out_data;
-    assign data_ready = take_data;
-    assign {
-        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
-        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
-        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
-        write_attribute_12, write_cardinal_0
-    } = write_queue_out_data;
-    assign {
-        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
-        pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
-        pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
-        pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
-    } = pixel_queue_out_data;
-    assign slot_ready = {ready_1, ready_0};
-    assign fill_slot = slot;
-    assign drain_enable = drain_step;
-    assign drain_slot = slot;
-    assign drain_pixel = drained[5:0];
-
-    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
-        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
-        .write_address(looked ? read_tile : code), .write_data(looked),
-        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
-    );
-
-    stream_half_buffer_w602 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
-        .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
-            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
-            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
-            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
-            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
-        }),
-        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
-    );
-
-    stream_fifo_d16_w603_distributed out_queue (
-        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
-        .in_data({
-            head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned, head_sight_disc,
-            head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
-            head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
-            head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
-            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
-            head_first_difference, head_last_difference, head_tile, copy_slot
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
-    );
-
-    stream_skid_w338 write_queue (
-        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
-        .in_data({
-            evict_tile, held_pixel, drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1,
-            drain_attribute_2, drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6,
-            drain_attribute_7, drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11,
-            drain_attribute_12, drain_cardinal_0
-        }),
-        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
-    );
-
-    stream_skid_w339 pixel_queue (
-        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
-        .in_ready(pixel_queue_in_ready),
-        .in_data({
-            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
-            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_peak : data_peak,
-            mode_is_5 ? drain_attribute_0 : data_attribute_0, mode_is_5 ? drain_attribute_1 : data_attribute_1,
-            mode_is_5 ? drain_attribute_2 : data_attribute_2, mode_is_5 ? drain_attribute_3 : data_attribute_3,
-            mode_is_5 ? drain_attribute_4 : data_attribute_4, mode_is_5 ? drain_attribute_5 : data_attribute_5,
-            mode_is_5 ? drain_attribute_6 : data_attribute_6, mode_is_5 ? drain_attribute_7 : data_attribute_7,
-            mode_is_5 ? drain_attribute_8 : data_attribute_8, mode_is_5 ? drain_attribute_9 : data_attribute_9,
-            mode_is_5 ? drain_attribute_10 : data_attribute_10,
-            mode_is_5 ? drain_attribute_11 : data_attribute_11,
-            mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
-        }),
-        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            head_valid <= 1'd0;
-            mode <= 3'd0;
-            frame_ended <= 1'd0;
-            code <= 12'd0;
-            code_read <= 1'd0;
-            looking <= 1'd0;
-            looked <= 1'd0;
-            moving <= 1'd0;
-            read_valid <= 1'd0;
-            showing <= 1'd0;
-            holding <= 1'd0;
-            next <= 1'd0;
-            resident_0 <= 1'd0;
-            ready_0 <= 1'd0;
-            in_flight_0 <= 8'd0;
-            used_0 <= 1'd0;
-            resident_1 <= 1'd0;
-            ready_1 <= 1'd0;
-            in_flight_1 <= 8'd0;
-            used_1 <= 1'd0;
-            fill_valid <= 1'd0;
-        end else begin
-            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
-            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
-            code_read <= mode_is_3 & ~code_read;
-            looking <= start;
-            looked <= looking;
-            used_0 <= (send_and_not_copy_slot | (used_0 & next)) & ~close;
-            used_1 <= (send_and_copy_slot | (used_1 & ~next)) & ~close;
-            fill_valid <= fill;
-            if (frame_end | finish) frame_ended <= frame_end;
-            if (mode_is_0 | next_tile) code <= code + 12'd1;
-            if (looked | done) moving <= looked;
-            if (read_valid_both | read_ready) read_valid <= read_valid_both;
-            if (drain_step) begin
-                showing <= drain_next;
-                holding <= showing;
-            end
-            if (start | skips | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
-            if (start_and_not_next | close) resident_0 <= start_and_not_next;
-            if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
-            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
-                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
-            end
-            if (start_and_next | close) resident_1 <= start_and_next;
-            if (done_and_slot | start_and_next | finish) ready_1 <= done_and_slot;
-            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
-                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (head_takes) begin
-            head_end <= in_queue_out_end;
-            head_center_x <= in_queue_out_center_x;
-            head_center_y <= in_queue_out_center_y;
-            head_ax <= in_queue_out_ax;
-            head_bx <= in_queue_out_bx;
-            head_ay <= in_queue_out_ay;
-            head_by <= in_queue_out_by;
-            head_delta <= in_queue_out_delta;
-            head_mx <= in_queue_out_mx;
-            head_my <= in_queue_out_my;
-            head_sight_negative <= in_queue_out_sight_negative;
-            head_sight_near <= in_queue_out_sight_near;
-            head_sight_far <= in_queue_out_sight_far;
-            head_sight_turned <= in_queue_out_sight_turned;
-            head_sight_disc <= in_queue_out_sight_disc;
-            head_depth <= in_queue_out_depth;
-            head_depth_low <= in_queue_out_depth_low;
-            head_depth_high <= in_queue_out_depth_high;
-            head_attribute_0 <= in_queue_out_attribute_0;
-            head_attribute_1 <= in_queue_out_attribute_1;
-            head_attribute_2 <= in_queue_out_attribute_2;
-            head_attribute_3 <= in_queue_out_attribute_3;
-            head_attribute_4 <= in_queue_out_attribute_4;
-            head_attribute_5 <= in_queue_out_attribute_5;
-            head_attribute_6 <= in_queue_out_attribute_6;
-            head_attribute_7 <= in_queue_out_attribute_7;
-            head_attribute_8 <= in_queue_out_attribute_8;
-            head_attribute_9 <= in_queue_out_attribute_9;
-            head_attribute_10 <= in_queue_out_attribute_10;
-            head_attribute_11 <= in_queue_out_attribute_11;
-            head_attribute_12 <= in_queue_out_attribute_12;
-            head_cardinal_0 <= in_queue_out_cardinal_0;
-            head_left <= in_queue_out_left;
-            head_right <= in_queue_out_right;
-            head_top <= in_queue_out_top;
-            head_bottom <= in_queue_out_bottom;
-            head_first_sum <= in_queue_out_first_sum;
-            head_last_sum <= in_queue_out_last_sum;
-            head_first_difference <= in_queue_out_first_difference;
-            head_last_difference <= in_queue_out_last_difference;
-            head_tile <= in_queue_out_tile;
-        end
-        if (start_or_mode_is_4) begin
-            slot <= mode_is_4 ? sent_slot : next;
-            read_tile <= mode_is_4 ? code : head_tile;
-        end
-        if (start) begin
-            evict <= (~next & resident_0) | (next & resident_1);
-            evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
-        end
-        if (looked) load <= touched;
-        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
-            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
-        end
-        if (drain_next) shown_pixel <= drained[5:0];
-        if (drain_step) held_pixel <= shown_pixel;
-        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
-        if (start_and_not_next) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
-        is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
-        is_of_code_1 <= tile_1 == code;
-        touched <= stored_touched;
-        if (start_and_next) tile_1 <= head_tile;
-        if (fill) begin
-            fill_pixel <= filled[5:0];
-            fill_weight <= load ? data_weight : 28'd0;
-            fill_depth <= load ? data_depth : 52'd0;
-            fill_peak <= load ? data_peak : 16'd0;
-            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
-            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
-            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
-            fill_attribute_3 <= load ? data_attribute_3 : 16'd0;
-            fill_attribute_4 <= load ? data_attribute_4 : 16'd0;
-            fill_attribute_5 <= load ? data_attribute_5 : 16'd0;
-            fill_attribute_6 <= load ? data_attribute_6 : 16'd0;
-            fill_attribute_7 <= load ? data_attribute_7 : 16'd0;
-            fill_attribute_8 <= load ? data_attribute_8 : 16'd0;
-            fill_attribute_9 <= load ? data_attribute_9 : 16'd0;
-            fill_attribute_10 <= load ? data_attribute_10 : 16'd0;
-            fill_attribute_11 <= load ? data_attribute_11 : 16'd0;
-            fill_attribute_12 <= load ? data_attribute_12 : 16'd0;
-            fill_cardinal_0 <= load ? data_cardinal_0 : 16'd0;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
-        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
-`else
-        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
-            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
-        end
-        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
-            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
         end
 `endif
     end
@@ -4660,63 +5656,20 @@ module stream_skid_w339 (
 `endif
 endmodule
 
-// Queue of two in registers.
-// width = 338
-module stream_skid_w338 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
-);
-    reg second_valid;
-    reg [337:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 603
+// width = 53
 // storage = distributed
-module stream_fifo_d16_w603_distributed (
+module stream_fifo_d16_w53_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [602:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [602:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [52:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [52:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [602:0] entries [0:15];
+    reg [52:0] entries [0:15];
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    reg [602:0] item;
+    reg [52:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -4761,43 +5714,12 @@ module stream_fifo_d16_w603_distributed (
 `endif
 endmodule
 
-// Orders splat copies by tile; their payloads wait in a memory.
+// Orders splat copies by tile; what else they have waits in a memory.
 // levels = 12
 module splat_reorder (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
-    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [23:0] in_ax,  // `A` in x.
-    input  wire [23:0] in_bx,  // `B` in x.
-    input  wire [23:0] in_ay,  // `A` in y.
-    input  wire [23:0] in_by,  // `B` in y.
-    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [23:0] in_mx,  // `m` in x.
-    input  wire [23:0] in_my,  // `m` in y.
-    input  wire in_sight_negative,  // `D` is negative before the eye.
-    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
-    input  wire [15:0] in_attribute_3,  // Attributes.
-    input  wire [15:0] in_attribute_4,  // Attributes.
-    input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
-    input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
@@ -4807,39 +5729,9 @@ module splat_reorder (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
+    input  wire [10:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
-    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [23:0] out_ax,  // `A` in x.
-    output wire [23:0] out_bx,  // `B` in x.
-    output wire [23:0] out_ay,  // `A` in y.
-    output wire [23:0] out_by,  // `B` in y.
-    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [23:0] out_mx,  // `m` in x.
-    output wire [23:0] out_my,  // `m` in y.
-    output wire out_sight_negative,  // `D` is negative before the eye.
-    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
-    output wire [15:0] out_attribute_3,  // Attributes.
-    output wire [15:0] out_attribute_4,  // Attributes.
-    output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
-    output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
@@ -4848,76 +5740,63 @@ module splat_reorder (
     output wire [3:0] out_last_sum,  // Largest sum.
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
-    output wire [11:0] out_tile  // Tile index: row above column.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire [10:0] out_splat  // Place of its splat's payload.
 );
     reg free_valid;
     reg [11:0] free;
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [588:0] stage_payload;
+    wire [38:0] stage_rest;
 
     wire in_queue_out_valid;
-    wire [601:0] in_queue_out_data;
+    wire [51:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [601:0] out_queue_out_data;
-    wire caught_in_ready, caught_out_valid;
-    wire [601:0] caught_out_data;
+    wire [51:0] out_queue_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile, heap_out_pointer;
     wire heap_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[601];
+    wire in_queue_out_end = in_queue_out_data[51];
     wire offer = open & ~in_queue_out_end & free_valid;
-    wire advance = ~stage_valid | caught_in_ready;
+    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire advance = ~stage_valid | out_queue_in_ready;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
-    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
+    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
+    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
     wire leaving = heap_out_valid & advance;
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(589), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[600:12]),
-        .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
+    memory_1w1r_unordered #(.WIDTH(39), .DEPTH(4096), .SLICE(4)) rests (
+        .clk(clk), .write(offer), .write_address(free),
+        .write_data({in_queue_out_data[50:23], in_queue_out_splat}),
+        .read(advance), .read_address(heap_out_pointer), .read_data(stage_rest)
     );
 
-    stream_half_buffer_w602 in_queue (
+    stream_half_buffer_w52 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
-            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
-            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
-            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
-            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w602 out_queue (
-        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
-        .in_data(caught_out_data),
+    stream_half_buffer_w52 out_queue (
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_ready(out_queue_in_ready), .in_data({close, stage_rest[38:11], stage_tile, stage_rest[10:0]}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
-    );
-
-    stream_half_buffer_w602 caught (
-        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
-        .in_data({close, stage_payload, stage_tile}),
-        .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
@@ -5030,10 +5909,10 @@ module splat_heap (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Entries in any order.
     input  wire [11:0] in_tile,  // Tile index.
-    input  wire [11:0] in_pointer,  // Place of the payload.
+    input  wire [11:0] in_pointer,  // Place of the rest.
     output wire out_valid, input wire out_ready,  // Entries in order.
     output wire [11:0] out_tile,  // Tile index.
-    output wire [11:0] out_pointer,  // Place of the payload.
+    output wire [11:0] out_pointer,  // Place of the rest.
     output wire empty  // It holds no entry.
 );
     reg ends, lower;
@@ -6358,6 +7237,621 @@ module splat_heap_stage_l0 (
     wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
+// One item in a register, at half rate.
+// width = 52
+module stream_half_buffer_w52 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [51:0] out_data
+);
+    reg full;
+    reg [51:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
+    end
+    always @(posedge clk) if (in_ready) item <= in_data;
+endmodule
+
+// Keeps what the copies of a splat have in common, once.
+// places = 2048
+// beats = 2
+module splat_payloads (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready,  // Copies, those of a splat one after the other.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire copy_valid, input wire copy_ready,  // The same, with where their payload lies in its place.
+    output wire copy_end,  // Closes the frame.
+    output wire [2:0] copy_left,  // First column.
+    output wire [2:0] copy_right,  // Last column.
+    output wire [2:0] copy_top,  // First row.
+    output wire [2:0] copy_bottom,  // Last row.
+    output wire [3:0] copy_first_sum,  // Smallest sum.
+    output wire [3:0] copy_last_sum,  // Largest sum.
+    output wire [3:0] copy_first_difference,  // Smallest difference.
+    output wire [3:0] copy_last_difference,  // Largest difference.
+    output wire [11:0] copy_tile,  // Tile index: row above column.
+    output wire [10:0] copy_splat,  // Place of its splat's payload.
+    input  wire placed_valid, output wire placed_ready,  // Copies that are to be drawn, in any order.
+    input  wire placed_end,  // Closes the frame.
+    input  wire [2:0] placed_left,  // First column.
+    input  wire [2:0] placed_right,  // Last column.
+    input  wire [2:0] placed_top,  // First row.
+    input  wire [2:0] placed_bottom,  // Last row.
+    input  wire [3:0] placed_first_sum,  // Smallest sum.
+    input  wire [3:0] placed_last_sum,  // Largest sum.
+    input  wire [3:0] placed_first_difference,  // Smallest difference.
+    input  wire [3:0] placed_last_difference,  // Largest difference.
+    input  wire [11:0] placed_tile,  // Tile index: row above column.
+    input  wire [10:0] placed_splat,  // Place of its splat's payload.
+    input  wire placed_slot,  // Slot of the tile cache.
+    output wire out_valid, input wire out_ready,  // The same with their payload.
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_ax,  // `A` in x.
+    output wire [23:0] out_bx,  // `B` in x.
+    output wire [23:0] out_ay,  // `A` in y.
+    output wire [23:0] out_by,  // `B` in y.
+    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [23:0] out_mx,  // `m` in x.
+    output wire [23:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire out_slot  // Slot of the tile cache.
+);
+    reg clearing;
+    reg [10:0] cleared;
+    reg has_free;
+    reg [10:0] free;
+    reg holds, passes;
+    reg [10:0] place;
+    reg [12:0] copies;
+    reg open, writing, word;
+    reg [280:0] word_1;
+    reg held_end;
+    reg [2:0] held_left;  // First column.
+    reg [2:0] held_right;  // Last column.
+    reg [2:0] held_top;  // First row.
+    reg [2:0] held_bottom;  // Last row.
+    reg [3:0] held_first_sum;  // Smallest sum.
+    reg [3:0] held_last_sum;  // Largest sum.
+    reg [3:0] held_first_difference;  // Smallest difference.
+    reg [3:0] held_last_difference;  // Largest difference.
+    reg [11:0] held_tile;
+    reg current_valid, beat, out_holds;
+    reg current_end;  // Closes the frame.
+    reg [2:0] current_left;  // First column.
+    reg [2:0] current_right;  // Last column.
+    reg [2:0] current_top;  // First row.
+    reg [2:0] current_bottom;  // Last row.
+    reg [3:0] current_first_sum;  // Smallest sum.
+    reg [3:0] current_last_sum;  // Largest sum.
+    reg [3:0] current_first_difference;  // Smallest difference.
+    reg [3:0] current_last_difference;  // Largest difference.
+    reg [11:0] current_tile;  // Tile index: row above column.
+    reg [10:0] current_splat;  // Place of its splat's payload.
+    reg current_slot;  // Slot of the tile cache.
+    wire [280:0] shown_word;
+    reg [280:0] kept_0;
+    reg held_out_end;  // Closes the frame.
+    reg [23:0] held_out_center_x;  // Projected center (px), the origin of what follows.
+    reg [23:0] held_out_center_y;  // Projected center (px), the origin of what follows.
+    reg [23:0] held_out_ax;  // `A` in x.
+    reg [23:0] held_out_bx;  // `B` in x.
+    reg [23:0] held_out_ay;  // `A` in y.
+    reg [23:0] held_out_by;  // `B` in y.
+    reg [23:0] held_out_delta;  // The determinant of `A` and `B`.
+    reg [23:0] held_out_mx;  // `m` in x.
+    reg [23:0] held_out_my;  // `m` in y.
+    reg held_out_sight_negative;  // `D` is negative before the eye.
+    reg [22:0] held_out_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [22:0] held_out_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg held_out_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg held_out_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    reg [23:0] held_out_depth;  // Depth.
+    reg [23:0] held_out_depth_low;  // What is nearer hides the splat.
+    reg [23:0] held_out_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] held_out_attribute_0;  // Attributes.
+    reg [15:0] held_out_attribute_1;  // Attributes.
+    reg [15:0] held_out_attribute_2;  // Attributes.
+    reg [15:0] held_out_attribute_3;  // Attributes.
+    reg [15:0] held_out_attribute_4;  // Attributes.
+    reg [15:0] held_out_attribute_5;  // Attributes.
+    reg [15:0] held_out_attribute_6;  // Attributes.
+    reg [15:0] held_out_attribute_7;  // Attributes.
+    reg [15:0] held_out_attribute_8;  // Attributes.
+    reg [15:0] held_out_attribute_9;  // Attributes.
+    reg [15:0] held_out_attribute_10;  // Attributes.
+    reg [15:0] held_out_attribute_11;  // Attributes.
+    reg [15:0] held_out_attribute_12;  // Attributes.
+    reg [15:0] held_out_cardinal_0;  // Attributes.
+    reg [2:0] held_out_left;  // First column.
+    reg [2:0] held_out_right;  // Last column.
+    reg [2:0] held_out_top;  // First row.
+    reg [2:0] held_out_bottom;  // Last row.
+    reg [3:0] held_out_first_sum;  // Smallest sum.
+    reg [3:0] held_out_last_sum;  // Largest sum.
+    reg [3:0] held_out_first_difference;  // Smallest difference.
+    reg [3:0] held_out_last_difference;  // Largest difference.
+    reg [11:0] held_out_tile;  // Tile index: row above column.
+    reg held_out_slot;  // Slot of the tile cache.
+    reg left_valid;
+    reg [10:0] left_place;
+    wire [12:0] shown_balance;
+    reg reading_valid;
+    reg [10:0] reading_place;
+    reg [12:0] reading_number;
+    reg caught_valid;
+    reg [10:0] caught_place;
+    reg [12:0] caught_number, balance;
+    reg added_valid;
+    reg [10:0] added_place;
+    reg [12:0] added_number;
+    reg earlier_valid;
+    reg [10:0] earlier_place;
+    reg [12:0] earlier_number, earliest_number;
+    reg follows_added, follows_earlier, follows_earliest;
+
+    wire closes_in_ready, closes_out_valid;
+    wire [23:0] closes_out_data;
+    wire released_in_ready, released_out_valid;
+    wire [10:0] released_out_data;
+    wire placed_queue_out_valid;
+    wire [52:0] placed_queue_out_data;
+
+    wire ready = ~holds & (closes_in_ready & (has_free | passes));
+    wire copy_shown = holds & (~writing | word);
+    wire [280:0] payload_words_data_bits = {
+        in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_sight_negative,
+        in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth[23:8]
+    };
+    wire out_room = ~out_holds | out_ready;
+    wire leaves = current_valid & beat & out_room;
+    wire advance = ~current_valid | leaves;
+    wire advance_or_not_beat = advance | ~beat;
+    wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
+    wire [10:0] placed_queue_out_splat = placed_queue_out_data[11:1];
+    wire [10:0] balances_address_choice = added_valid ? added_place : cleared;
+    wire [10:0] closes_out_place = closes_out_data[23:13];
+    wire [10:0] begins_place = left_valid ? left_place : closes_out_place;
+    wire closes_splat = in_valid & (in_first | in_end) & (open & closes_in_ready);
+    wire closes_out_ready = ~left_valid;
+    wire clears = clearing & ~added_valid;
+    wire releases = clears | (added_valid & (added_number == 13'd0));
+    wire takes_free = ~has_free;
+    wire take = ready & in_valid;
+    wire needs_place = in_first & ~in_end;
+    wire begins_splat = take & needs_place;
+    wire placed_queue_out_end = placed_queue_out_data[52];
+    wire [2:0] placed_queue_out_left = placed_queue_out_data[51:49];
+    wire [2:0] placed_queue_out_right = placed_queue_out_data[48:46];
+    wire [2:0] placed_queue_out_top = placed_queue_out_data[45:43];
+    wire [2:0] placed_queue_out_bottom = placed_queue_out_data[42:40];
+    wire [3:0] placed_queue_out_first_sum = placed_queue_out_data[39:36];
+    wire [3:0] placed_queue_out_last_sum = placed_queue_out_data[35:32];
+    wire [3:0] placed_queue_out_first_difference = placed_queue_out_data[31:28];
+    wire [3:0] placed_queue_out_last_difference = placed_queue_out_data[27:24];
+    wire [11:0] placed_queue_out_tile = placed_queue_out_data[23:12];
+    wire placed_queue_out_slot = placed_queue_out_data[0];
+    wire is_left = leaves & ~current_end;
+    wire begins = left_valid | closes_out_valid;
+    wire [12:0] closes_out_copies = closes_out_data[12:0];
+    wire [12:0] sum_choice = follows_earlier ? earlier_number : follows_earliest ? earliest_number : balance;
+    wire [12:0] sum = (follows_added ? added_number : sum_choice) + caught_number;
+
+    assign in_ready = ready;
+    assign copy_valid = copy_shown;
+    assign copy_end = held_end;
+    assign copy_left = held_left;
+    assign copy_right = held_right;
+    assign copy_top = held_top;
+    assign copy_bottom = held_bottom;
+    assign copy_first_sum = held_first_sum;
+    assign copy_last_sum = held_last_sum;
+    assign copy_first_difference = held_first_difference;
+    assign copy_last_difference = held_last_difference;
+    assign copy_tile = held_tile;
+    assign copy_splat = place;
+    assign out_valid = out_holds;
+    assign out_end = held_out_end;
+    assign out_center_x = held_out_center_x;
+    assign out_center_y = held_out_center_y;
+    assign out_ax = held_out_ax;
+    assign out_bx = held_out_bx;
+    assign out_ay = held_out_ay;
+    assign out_by = held_out_by;
+    assign out_delta = held_out_delta;
+    assign out_mx = held_out_mx;
+    assign out_my = held_out_my;
+    assign out_sight_negative = held_out_sight_negative;
+    assign out_sight_near = held_out_sight_near;
+    assign out_sight_far = held_out_sight_far;
+    assign out_sight_turned = held_out_sight_turned;
+    assign out_sight_disc = held_out_sight_disc;
+    assign out_depth = held_out_depth;
+    assign out_depth_low = held_out_depth_low;
+    assign out_depth_high = held_out_depth_high;
+    assign out_attribute_0 = held_out_attribute_0;
+    assign out_attribute_1 = held_out_attribute_1;
+    assign out_attribute_2 = held_out_attribute_2;
+    assign out_attribute_3 = held_out_attribute_3;
+    assign out_attribute_4 = held_out_attribute_4;
+    assign out_attribute_5 = held_out_attribute_5;
+    assign out_attribute_6 = held_out_attribute_6;
+    assign out_attribute_7 = held_out_attribute_7;
+    assign out_attribute_8 = held_out_attribute_8;
+    assign out_attribute_9 = held_out_attribute_9;
+    assign out_attribute_10 = held_out_attribute_10;
+    assign out_attribute_11 = held_out_attribute_11;
+    assign out_attribute_12 = held_out_attribute_12;
+    assign out_cardinal_0 = held_out_cardinal_0;
+    assign out_left = held_out_left;
+    assign out_right = held_out_right;
+    assign out_top = held_out_top;
+    assign out_bottom = held_out_bottom;
+    assign out_first_sum = held_out_first_sum;
+    assign out_last_sum = held_out_last_sum;
+    assign out_first_difference = held_out_first_difference;
+    assign out_last_difference = held_out_last_difference;
+    assign out_tile = held_out_tile;
+    assign out_slot = held_out_slot;
+
+    memory_1w1r_unordered #(.WIDTH(281), .DEPTH(4096), .SLICE(4)) payload_words (
+        .clk(clk), .write(writing | (~holds & has_free)), .write_address({word, writing ? place : free}),
+        .write_data(word ? word_1 : payload_words_data_bits),
+        .read(advance_or_not_beat),
+        .read_address({beat_choice, advance ? placed_queue_out_splat : current_splat}),
+        .read_data(shown_word)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(13), .DEPTH(2048)) balances (
+        .clk(clk), .write(clearing | added_valid), .write_address(balances_address_choice),
+        .write_data({13{added_valid}} & added_number),
+        .read(1'd1), .read_address(begins_place), .read_data(shown_balance)
+    );
+
+    stream_skid_w24 closes (
+        .clk(clk), .rst(rst), .in_valid(closes_splat), .in_ready(closes_in_ready), .in_data({place, copies}),
+        .out_valid(closes_out_valid), .out_ready(closes_out_ready), .out_data(closes_out_data)
+    );
+
+    stream_fifo_d2048_w11 released (
+        .clk(clk), .rst(rst), .in_valid(releases), .in_ready(released_in_ready),
+        .in_data(balances_address_choice),
+        .out_valid(released_out_valid), .out_ready(takes_free), .out_data(released_out_data)
+    );
+
+    stream_skid_w53 placed_queue (
+        .clk(clk), .rst(rst), .in_valid(placed_valid), .in_ready(placed_ready),
+        .in_data({
+            placed_end, placed_left, placed_right, placed_top, placed_bottom, placed_first_sum, placed_last_sum,
+            placed_first_difference, placed_last_difference, placed_tile, placed_splat, placed_slot
+        }),
+        .out_valid(placed_queue_out_valid), .out_ready(advance), .out_data(placed_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            clearing <= 1'd1;
+            cleared <= 11'd0;
+            has_free <= 1'd0;
+            holds <= 1'd0;
+            passes <= 1'd0;
+            open <= 1'd0;
+            writing <= 1'd0;
+            current_valid <= 1'd0;
+            out_holds <= 1'd0;
+            left_valid <= 1'd0;
+            reading_valid <= 1'd0;
+            caught_valid <= 1'd0;
+            added_valid <= 1'd0;
+            earlier_valid <= 1'd0;
+        end else begin
+            clearing <= clearing & ~(clears & (cleared == 11'h7ff));
+            has_free <= takes_free ? released_out_valid : (has_free & ~begins_splat);
+            holds <= holds ? ~(copy_shown & copy_ready) : take;
+            passes <= in_valid & ~ready & ~needs_place;
+            open <= begins_splat | (open & ~closes_splat);
+            writing <= writing ? ~word : begins_splat;
+            left_valid <= is_left;
+            reading_valid <= begins;
+            caught_valid <= reading_valid;
+            added_valid <= caught_valid;
+            earlier_valid <= added_valid;
+            if (clears) cleared <= cleared + 11'd1;
+            if (advance) current_valid <= placed_queue_out_valid;
+            if (out_room) out_holds <= leaves;
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_free) free <= released_out_data;
+        if (begins_splat) place <= free;
+        if (take) copies <= begins_splat ? 13'd1 : (copies + 13'd1);
+        word <= writing ? (word ? 1'd0 : (word + 1'd1)) : begins_splat;
+        left_place <= current_splat;
+        reading_place <= begins_place;
+        reading_number <= left_valid ? 13'h1fff : closes_out_copies;
+        caught_place <= reading_place;
+        caught_number <= reading_number;
+        balance <= shown_balance;
+        added_place <= caught_place;
+        added_number <= sum;
+        earlier_place <= added_place;
+        earlier_number <= added_number;
+        earliest_number <= earlier_number;
+        follows_added <= caught_valid & (caught_place == reading_place);
+        follows_earlier <= added_valid & (added_place == reading_place);
+        follows_earliest <= earlier_valid & (earlier_place == reading_place);
+        if (~holds) begin
+            word_1 <= {
+                in_depth[7:0], in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2,
+                in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8,
+                in_attribute_9, in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, 1'd0
+            };
+            held_end <= in_end;
+            held_left <= in_left;
+            held_right <= in_right;
+            held_top <= in_top;
+            held_bottom <= in_bottom;
+            held_first_sum <= in_first_sum;
+            held_last_sum <= in_last_sum;
+            held_first_difference <= in_first_difference;
+            held_last_difference <= in_last_difference;
+            held_tile <= in_tile;
+        end
+        if (advance_or_not_beat) beat <= beat_choice;
+        if (advance) begin
+            current_end <= placed_queue_out_end;
+            current_left <= placed_queue_out_left;
+            current_right <= placed_queue_out_right;
+            current_top <= placed_queue_out_top;
+            current_bottom <= placed_queue_out_bottom;
+            current_first_sum <= placed_queue_out_first_sum;
+            current_last_sum <= placed_queue_out_last_sum;
+            current_first_difference <= placed_queue_out_first_difference;
+            current_last_difference <= placed_queue_out_last_difference;
+            current_tile <= placed_queue_out_tile;
+            current_splat <= placed_queue_out_splat;
+            current_slot <= placed_queue_out_slot;
+        end
+        if (~beat) kept_0 <= shown_word;
+        if (out_room) begin
+            held_out_end <= current_end;
+            held_out_center_x <= kept_0[280:257];
+            held_out_center_y <= kept_0[256:233];
+            held_out_ax <= kept_0[232:209];
+            held_out_bx <= kept_0[208:185];
+            held_out_ay <= kept_0[184:161];
+            held_out_by <= kept_0[160:137];
+            held_out_delta <= kept_0[136:113];
+            held_out_mx <= kept_0[112:89];
+            held_out_my <= kept_0[88:65];
+            held_out_sight_negative <= kept_0[64];
+            held_out_sight_near <= kept_0[63:41];
+            held_out_sight_far <= kept_0[40:18];
+            held_out_sight_turned <= kept_0[17];
+            held_out_sight_disc <= kept_0[16];
+            held_out_depth <= {kept_0[15:0], shown_word[280:273]};
+            held_out_depth_low <= shown_word[272:249];
+            held_out_depth_high <= shown_word[248:225];
+            held_out_attribute_0 <= shown_word[224:209];
+            held_out_attribute_1 <= shown_word[208:193];
+            held_out_attribute_2 <= shown_word[192:177];
+            held_out_attribute_3 <= shown_word[176:161];
+            held_out_attribute_4 <= shown_word[160:145];
+            held_out_attribute_5 <= shown_word[144:129];
+            held_out_attribute_6 <= shown_word[128:113];
+            held_out_attribute_7 <= shown_word[112:97];
+            held_out_attribute_8 <= shown_word[96:81];
+            held_out_attribute_9 <= shown_word[80:65];
+            held_out_attribute_10 <= shown_word[64:49];
+            held_out_attribute_11 <= shown_word[48:33];
+            held_out_attribute_12 <= shown_word[32:17];
+            held_out_cardinal_0 <= shown_word[16:1];
+            held_out_left <= current_left;
+            held_out_right <= current_right;
+            held_out_top <= current_top;
+            held_out_bottom <= current_bottom;
+            held_out_first_sum <= current_first_sum;
+            held_out_last_sum <= current_last_sum;
+            held_out_first_difference <= current_first_difference;
+            held_out_last_difference <= current_last_difference;
+            held_out_tile <= current_tile;
+            held_out_slot <= current_slot;
+        end
+    end
+
+    wire _unused = &{1'b0, released_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_place_that_is_free_has_room: assert (~releases | released_in_ready);
+`else
+        if (!(~releases | released_in_ready)) begin
+            $display("assertion failed: a_place_that_is_free_has_room in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 53
+module stream_skid_w53 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [52:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [52:0] out_data
+);
+    reg second_valid;
+    reg [52:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 2048
+// width = 11
+module stream_fifo_d2048_w11 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
+);
+    reg [11:0] held, waiting;
+    reg [10:0] write_address, read_address;
+    wire [10:0] item;
+
+    wire has_room = ~held[11];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(11), .DEPTH(2048)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 12'd0;
+            waiting <= 12'd0;
+            write_address <= 11'd0;
+            read_address <= 11'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {11'd0, push}) - {11'd0, pop};
+            waiting <= (waiting + {11'd0, push}) - {11'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 11'd1;
+            if (fetch) read_address <= read_address + 11'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 12'h800);
+        held_is_waiting_and_shown: assert (held == (waiting + {11'd0, out_valid}));
+`else
+        if (!(held <= 12'h800)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {11'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Queue of two in registers.
 // width = 24
 module stream_skid_w24 (
@@ -6447,6 +7941,7 @@ module splat_splitter (
     input  wire [9:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
+    output wire out_first,  // It is the first of its splat.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_ax,  // `A` in x.
@@ -6531,9 +8026,10 @@ module splat_splitter (
     reg [9:0] splat_last_difference;  // Largest difference.
     reg [5:0] column, row;
     reg [3:0] first_sum, past_sum, first_difference, past_difference;
+    reg first;
 
     wire out_queue_in_ready;
-    wire [601:0] out_queue_out_data;
+    wire [602:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire step = out_queue_in_ready & (busy & located);
@@ -6561,6 +8057,7 @@ module splat_splitter (
     wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
     wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
     wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire push = step & occupied;
     wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
     wire locate = busy & ~located;
@@ -6581,18 +8078,19 @@ module splat_splitter (
 
     assign in_ready = ready;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
+        out_end, out_first, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx,
+        out_my, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w602 out_queue (
-        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w603 out_queue (
+        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
         .in_data({
-            splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
+            splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
@@ -6615,6 +8113,7 @@ module splat_splitter (
     end
     always @(posedge clk) begin
         located <= locate | (located & ~moves);
+        first <= take | (first & ~push);
         if (moves) begin
             last <= take ? last_either : last_same;
             column <= take ? in_left[8:3] : column_choice;
@@ -6674,14 +8173,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 602
-module stream_half_buffer_w602 (
+// width = 603
+module stream_half_buffer_w603 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [601:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [601:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [602:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [602:0] out_data
 );
     reg full;
-    reg [601:0] item;
+    reg [602:0] item;
 
     assign in_ready = ~full;
 
@@ -6788,7 +8287,11 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [224:0] delay_21_from_0 [0:19];
+    reg [96:0] delay_21_from_0 [0:19];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_21_from_0_copy2 [0:19];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_21_from_0_copy3 [0:19];
     (* ram_style = "distributed" *)
     reg [24:0] delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
@@ -6831,20 +8334,27 @@ module splat_setup (
     reg [45:0] delay_10_from_7 [0:8];
     (* ram_style = "distributed" *)
     reg delay_13_from_7 [0:11];
-    reg [2:0] phase;
-    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
+    reg [5:0] credits;
+    reg [7:0] phases_1;
     reg [1:0] delay_5_from_0_pointer;
     reg [47:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
     reg [47:0] delay_6_from_0_out;
+    reg [7:0] phases_2;
     reg [2:0] delay_9_from_0_pointer;
     reg [23:0] delay_9_from_0_out;
     reg [3:0] delay_11_from_0_pointer;
     reg [49:0] delay_11_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
     reg delay_14_from_0_out;
+    reg [7:0] phases_3;
     reg [4:0] delay_21_from_0_pointer;
-    reg [224:0] delay_21_from_0_out;
+    reg [96:0] delay_21_from_0_out;
+    reg [7:0] phases_4;
+    reg [4:0] delay_21_from_0_copy2_pointer;
+    reg [95:0] delay_21_from_0_copy2_out;
+    reg [4:0] delay_21_from_0_copy3_pointer;
+    reg [31:0] delay_21_from_0_copy3_out;
     reg [2:0] delay_6_from_1_pointer;
     reg [24:0] delay_6_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
@@ -6887,7 +8397,10 @@ module splat_setup (
     reg [45:0] delay_10_from_7_out;
     reg [3:0] delay_13_from_7_pointer;
     reg delay_13_from_7_out;
-    reg [23:0] center_x_d1, center_y_d1, center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
+    reg [23:0] center_x_d1, center_y_d1;
+    reg [7:0] phases_5;
+    reg [23:0] center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
+    reg [7:0] phases_6;
     reg [23:0] tangent2_y_d1, tangent2_z_d1;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
@@ -6958,28 +8471,36 @@ module splat_setup (
     reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
     reg sight_disc_out_d14, sight_disc_out_d15, sight_disc_out_d16;
     reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
-    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6, center_x_d7, center_x_d8;
-    reg [23:0] center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
-    reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
-    reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
-    reg [23:0] center_x_plus_first_x_joined_d1, f_times_scale_x_d1, first_x_joined_d1_copy2, first_x_chosen_d1;
-    reg [23:0] first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1, last_x_chosen_d2, last_x_chosen_d3;
-    reg [23:0] first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
+    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6;
+    reg [7:0] phases_7;
+    reg [23:0] center_x_d7, center_x_d8, center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d1, a_x_squared_plus_b_x_squared_d2, h_x_product_d1;
+    reg [23:0] center_x_minus_t_x_d1, center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4;
+    reg [23:0] center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1, f_times_scale_x_d1;
+    reg [23:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1;
+    reg [23:0] last_x_chosen_d2;
+    reg [7:0] phases_8;
+    reg [23:0] last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
     reg [23:0] filter_radius_plus_center_x_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
     reg [8:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2, last_x_d3, last_x_d4;
     reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d1_copy2, center_y_d2;
-    reg [23:0] center_y_d3, center_y_d4, center_y_d5, center_y_d6, center_y_d7, center_y_d8, center_y_d9;
-    reg [23:0] center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
-    reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
-    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
-    reg [23:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
+    reg [23:0] center_y_d3, center_y_d4, center_y_d5;
+    reg [7:0] phases_9;
+    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1;
+    reg [23:0] a_y_squared_plus_b_y_squared_d1, a_y_squared_plus_b_y_squared_d2, h_y_product_d1;
+    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3;
+    reg [23:0] center_y_minus_t_y_d4, minus_h_y_d1, center_y_minus_first_y_joined_d1;
+    reg [23:0] center_y_plus_first_y_joined_d1;
     reg first_y_in_order_d1_copy3;
     reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3;
+    reg [7:0] phases_10;
     reg [23:0] first_y_chosen_d4, last_y_chosen_d1, last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2;
     reg [23:0] last_y_chosen_d1_copy2, filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3;
     reg [23:0] last_y_chosen_d1_copy3;
-    reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
+    reg [21:0] first_y_shifted_d1;
+    reg [7:0] phases_11;
+    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [8:0] first_y_d1, first_y_d2, first_y_d3, last_y_d1, last_y_d2, last_y_d3;
     reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
     reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
@@ -7025,9 +8546,10 @@ module splat_setup (
     reg [10:0] largest_sum_d1, largest_sum_d2, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
     reg [10:0] largest_greater_plus_154_d2;
     reg largest_sum_below_100_d1;
-    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
-    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
-    reg [10:0] largest_sum_d3, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2;
+    reg [7:0] phases_12;
+    reg [10:0] largest_sum_plus_127_d1, largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2;
+    reg [10:0] largest_sum_d2_copy2, largest_sum_d3, largest_d1, a_x_bits_plus_381_d1;
     reg ax_out_both_d1;
     reg [7:0] ax_out_chosen_d1;
     reg [23:0] ax_out_joined_d1;
@@ -7077,32 +8599,111 @@ module splat_setup (
     reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy4, first_difference_greater_d1;
     reg [26:0] first_difference_d1, last_difference_lesser_d1;
     reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
-    reg [9:0] last_sum_out_d1, last_difference_out_d1;
+    reg [9:0] last_sum_out_d1;
+    reg [7:0] phases_13;
+    reg [9:0] last_difference_out_d1;
     reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_both_d3;
     reg sight_negative_out_d13, visible_both_d1_copy2;
     reg [23:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2;
     reg visible_unequal_d1;
     reg [23:0] delta_times_one_over_b_depth_d1, middle_depth_minus_epsilon_d1, depth_low_out_d1, depth_low_out_d2;
     reg [23:0] depth_low_out_d3, middle_depth_plus_epsilon_d1, depth_high_out_d1, depth_high_out_d2;
-    reg [23:0] depth_high_out_d3, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
-    reg [23:0] max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b, lt_f24_ftz_unit_copy2_a;
-    reg [23:0] lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
-    reg [23:0] add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b, add_f24_ftz_unit_copy5_a;
-    reg [23:0] add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a, add_f24_ftz_unit_copy6_b;
-    reg [23:0] add_f24_ftz_unit_copy7_a, add_f24_ftz_unit_copy7_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b;
-    reg [23:0] mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b;
-    reg [23:0] mul_f24_ftz_unit_copy8_a, mul_f24_ftz_unit_copy8_b, sqrt_f24_ftz_unit_a, le_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b, min_f24_ftz_unit_copy2_a;
-    reg [23:0] min_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a;
+    reg [23:0] depth_high_out_d3;
+    reg [2:0] max_f24_ftz_unit_phase;
+    reg [23:0] max_f24_ftz_unit_a;
+    reg [2:0] max_f24_ftz_unit_phase_copy2;
+    reg [23:0] max_f24_ftz_unit_b;
+    reg [2:0] max_f24_ftz_unit_copy2_phase;
+    reg [23:0] max_f24_ftz_unit_copy2_a;
+    reg [2:0] max_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] max_f24_ftz_unit_copy2_b;
+    reg [2:0] lt_f24_ftz_unit_phase;
+    reg [23:0] lt_f24_ftz_unit_a;
+    reg [2:0] lt_f24_ftz_unit_phase_copy2;
+    reg [23:0] lt_f24_ftz_unit_b;
+    reg [2:0] lt_f24_ftz_unit_copy2_phase;
+    reg [23:0] lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b;
+    reg [2:0] add_f24_ftz_unit_phase;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [2:0] add_f24_ftz_unit_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [2:0] add_f24_ftz_unit_copy2_phase;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [2:0] add_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
+    reg [2:0] add_f24_ftz_unit_copy3_phase;
+    reg [23:0] add_f24_ftz_unit_copy3_a;
+    reg [2:0] add_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy3_b;
+    reg [2:0] add_f24_ftz_unit_copy4_phase;
+    reg [23:0] add_f24_ftz_unit_copy4_a;
+    reg [2:0] add_f24_ftz_unit_copy4_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy4_b;
+    reg [2:0] add_f24_ftz_unit_copy5_phase;
+    reg [23:0] add_f24_ftz_unit_copy5_a;
+    reg [2:0] add_f24_ftz_unit_copy5_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy5_b;
+    reg [2:0] add_f24_ftz_unit_copy6_phase;
+    reg [23:0] add_f24_ftz_unit_copy6_a;
+    reg [2:0] add_f24_ftz_unit_copy6_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy6_b;
+    reg [2:0] add_f24_ftz_unit_copy7_phase;
+    reg [23:0] add_f24_ftz_unit_copy7_a;
+    reg [2:0] add_f24_ftz_unit_copy7_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy7_b;
+    reg [2:0] recip_f24_ftz_unit_phase;
+    reg [23:0] recip_f24_ftz_unit_a;
+    reg [2:0] mul_f24_ftz_unit_phase;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [2:0] mul_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [2:0] mul_f24_ftz_unit_copy2_phase;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [2:0] mul_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [2:0] mul_f24_ftz_unit_copy3_phase;
+    reg [23:0] mul_f24_ftz_unit_copy3_a;
+    reg [2:0] mul_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy3_b;
+    reg [2:0] mul_f24_ftz_unit_copy4_phase;
+    reg [23:0] mul_f24_ftz_unit_copy4_a;
+    reg [2:0] mul_f24_ftz_unit_copy4_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy4_b;
+    reg [2:0] mul_f24_ftz_unit_copy5_phase;
+    reg [23:0] mul_f24_ftz_unit_copy5_a;
+    reg [2:0] mul_f24_ftz_unit_copy5_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy5_b;
+    reg [2:0] mul_f24_ftz_unit_copy6_phase;
+    reg [23:0] mul_f24_ftz_unit_copy6_a;
+    reg [2:0] mul_f24_ftz_unit_copy6_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy6_b;
+    reg [2:0] mul_f24_ftz_unit_copy7_phase;
+    reg [23:0] mul_f24_ftz_unit_copy7_a;
+    reg [2:0] mul_f24_ftz_unit_copy7_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy7_b;
+    reg [2:0] mul_f24_ftz_unit_copy8_phase;
+    reg [23:0] mul_f24_ftz_unit_copy8_a;
+    reg [2:0] mul_f24_ftz_unit_copy8_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy8_b;
+    reg [2:0] sqrt_f24_ftz_unit_phase;
+    reg [23:0] sqrt_f24_ftz_unit_a;
+    reg [2:0] le_f24_ftz_unit_phase;
+    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b;
+    reg [2:0] min_f24_ftz_unit_phase;
+    reg [23:0] min_f24_ftz_unit_a;
+    reg [2:0] min_f24_ftz_unit_phase_copy2;
+    reg [23:0] min_f24_ftz_unit_b;
+    reg [2:0] min_f24_ftz_unit_copy2_phase;
+    reg [23:0] min_f24_ftz_unit_copy2_a, min_f24_ftz_unit_copy2_b;
+    reg [2:0] to_fixed_f24_ftz_u21q8_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
+    reg [2:0] to_fixed_f24_ftz_u23q8_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_u23q8_unit_a;
+    reg [2:0] to_fixed_f24_ftz_s22q8_unit_phase;
     reg [23:0] to_fixed_f24_ftz_s22q8_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [20:0] in_flight;
+    reg left, dropped;
 
-    wire queue_in_ready;
-    wire [637:0] queue_out_data;
     wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
     wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
@@ -7116,13 +8717,26 @@ module splat_setup (
     wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
     wire [21:0] to_fixed_f24_ftz_s22q8_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
+    wire queue_1_in_ready;
+    wire [120:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [119:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [112:0] queue_3_out_data;
+    wire queue_4_in_ready, queue_4_out_valid;
+    wire [127:0] queue_4_out_data;
+    wire queue_5_in_ready, queue_5_out_valid;
+    wire [125:0] queue_5_out_data;
+    wire queue_6_in_ready, queue_6_out_valid;
+    wire [29:0] queue_6_out_data;
 
+    assign in_ready = ~credits[5] & phases_1[0];
+    wire in_flight_20_and_phases_4_0 = in_flight[20] & phases_4[0];
     wire end_d21 = delay_21_from_0_out[0];
     wire edge_on_or_visible_unequal = delay_13_from_7_out | visible_unequal_d1;
     wire visible = visible_both_d1_copy2 & edge_on_or_visible_unequal;
     wire end_or_visible = end_d21 | visible;
-    wire phase_is_0 = phase == 3'd0;
-    wire queue_in_valid_both = in_flight[20] & end_or_visible & phase_is_0;
+    wire kept = in_flight_20_and_phases_4_0 & end_or_visible;
     wire [23:0] center_x_d15 = delay_6_from_0_out[23:0];
     wire [23:0] center_y_d15 = delay_5_from_0_out[47:24];
     wire [23:0] ax_out_d11 = delay_11_from_0_out[25:2];
@@ -7145,17 +8759,15 @@ module splat_setup (
     wire [15:0] attribute_3_d21 = delay_21_from_0_out[64:49];
     wire [15:0] attribute_4_d21 = delay_21_from_0_out[80:65];
     wire [15:0] attribute_5_d21 = delay_21_from_0_out[96:81];
-    wire [15:0] attribute_6_d21 = delay_21_from_0_out[112:97];
-    wire [15:0] attribute_7_d21 = delay_21_from_0_out[128:113];
-    wire [15:0] attribute_8_d21 = delay_21_from_0_out[144:129];
-    wire [15:0] attribute_9_d21 = delay_21_from_0_out[160:145];
-    wire [15:0] attribute_10_d21 = delay_21_from_0_out[176:161];
-    wire [15:0] attribute_11_d21 = delay_21_from_0_out[192:177];
-    wire [15:0] attribute_12_d21 = delay_21_from_0_out[208:193];
-    wire [15:0] cardinal_0_d21 = delay_21_from_0_out[224:209];
-    wire phase_is_7 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire [15:0] attribute_6_d21 = delay_21_from_0_copy2_out[15:0];
+    wire [15:0] attribute_7_d21 = delay_21_from_0_copy2_out[31:16];
+    wire [15:0] attribute_8_d21 = delay_21_from_0_copy2_out[47:32];
+    wire [15:0] attribute_9_d21 = delay_21_from_0_copy2_out[63:48];
+    wire [15:0] attribute_10_d21 = delay_21_from_0_copy2_out[79:64];
+    wire [15:0] attribute_11_d21 = delay_21_from_0_copy2_out[95:80];
+    wire [15:0] attribute_12_d21 = delay_21_from_0_copy3_out[15:0];
+    wire [15:0] cardinal_0_d21 = delay_21_from_0_copy3_out[31:16];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_y[22:15]};
     wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
     wire first_x_in_order = 11'd0 < first_x_greater_bits_plus_1;
@@ -7534,123 +9146,222 @@ module splat_setup (
     wire not_ax_out_joined_sign = ~a_x_sign_d3;
     wire not_ay_out_joined_sign = ~a_y_sign_d3;
     wire visible_unequal_copy3 = sight_negative_out_d12 ^ delay_20_from_6_out;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : phase[0] ? 24'd0 : first_sum_product_d1;
-    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
-    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? first_sum_product_d1 : 24'd0) : max_f24_ftz_unit_a_choice_2;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : filter_radius_plus_center_x_d1;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
-    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy7_y : first_x_chosen_d1_copy3) : max_f24_ftz_unit_b_choice_3;
+    wire [23:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_phase[0] ? 24'd0 : first_sum_product_d1;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? first_sum_product_d1 : 24'd0) : max_f24_ftz_unit_a_choice_3;
+    wire [23:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy2[0] ? filter_radius_plus_center_y_d1 : filter_radius_plus_center_x_d1;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy2[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy7_y : first_x_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_b_choice_5 = max_f24_ftz_unit_phase_copy2[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_b_choice_6 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_b_choice_4 : max_f24_ftz_unit_b_choice_5;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice = max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : 24'd0;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_2 = max_f24_ftz_unit_copy2_phase[1] ? max_f24_ftz_unit_copy2_a_choice : first_sum_product_d1;
     wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_a_choice = phase[1] ? 24'd0 : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_copy2_y : first_y_chosen_d1_copy3) : phase[0] ? last_difference_sum_d1 : add_f24_ftz_unit_copy5_y;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? middle_depth_plus_epsilon_d1 : middle_depth_minus_epsilon_d1;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_3 = max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_4 = max_f24_ftz_unit_copy2_phase[1] ? max_f24_ftz_unit_copy2_a_choice : max_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = max_f24_ftz_unit_copy2_phase_copy2[0] ? min_f24_ftz_unit_copy2_y : first_y_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = max_f24_ftz_unit_copy2_phase_copy2[0] ? last_difference_sum_d1 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = max_f24_ftz_unit_copy2_phase_copy2[1] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_4 = max_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_plus_epsilon_d1 : middle_depth_minus_epsilon_d1;
     wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? max_f24_ftz_unit_copy2_b_choice_2 : phase[0] ? middle_depth_d1 : max_f24_ftz_unit_copy2_b_bits;
-    wire [23:0] lt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? near_plane : 24'h3d0000) : phase[0] ? 24'd0 : center_z_d1;
-    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] lt_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : in_center_z) : in_center_z;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy7_y : max_f24_ftz_unit_copy2_a_bits;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0) : lt_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy4_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? center_x_d5 : depth_a;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : phase[0] ? origin_x : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_5 = max_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_d1 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_6 = max_f24_ftz_unit_copy2_phase_copy2[1] ? max_f24_ftz_unit_copy2_b_choice_4 : max_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] lt_f24_ftz_unit_a_choice = lt_f24_ftz_unit_phase[1] ? (lt_f24_ftz_unit_phase[0] ? near_plane : 24'h3d0000) : lt_f24_ftz_unit_phase[0] ? 24'd0 : center_z_d1;
+    wire [23:0] lt_f24_ftz_unit_a_choice_2 = lt_f24_ftz_unit_phase[1] ? (lt_f24_ftz_unit_phase[0] ? center_z_d1 : near_plane) : near_plane;
+    wire [23:0] lt_f24_ftz_unit_b_choice = lt_f24_ftz_unit_phase_copy2[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice_2 = lt_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice_3 = lt_f24_ftz_unit_phase_copy2[1] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
+    wire [23:0] lt_f24_ftz_unit_b_choice_4 = lt_f24_ftz_unit_phase_copy2[0] ? max_f24_ftz_unit_copy2_y : in_center_z;
+    wire [23:0] lt_f24_ftz_unit_b_choice_5 = lt_f24_ftz_unit_phase_copy2[1] ? lt_f24_ftz_unit_b_choice_4 : in_center_z;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = lt_f24_ftz_unit_copy2_phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = lt_f24_ftz_unit_copy2_phase[0] ? add_f24_ftz_unit_copy7_y : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_3 = lt_f24_ftz_unit_copy2_phase[1] ? lt_f24_ftz_unit_copy2_a_choice : lt_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = lt_f24_ftz_unit_copy2_phase[0] ? 24'd0 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice_2 = lt_f24_ftz_unit_copy2_phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice_3 = lt_f24_ftz_unit_copy2_phase[1] ? lt_f24_ftz_unit_copy2_b_choice : lt_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? 24'h3f8000 : center_z_d1) : add_f24_ftz_unit_phase[0] ? center_x_d5 : depth_a;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_phase[0] ? origin_x : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
     wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
     wire not_depth_a_sign = ~depth_a[23];
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? scale_x_times_v_x_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? origin_x : center_z_d1) : phase[0] ? center_y_d5 : delay_7_from_3_out;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : spread_middle_d1) : phase[0] ? center_x_d9 : a_x_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? first_x_joined_d1_copy2 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? scale_x_times_v_x_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[0] ? center_y_d5 : delay_7_from_3_out;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? (add_f24_ftz_unit_copy2_phase[0] ? origin_x : center_z_d1) : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_y : spread_middle_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase[0] ? center_x_d9 : a_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? first_x_joined_d1_copy2 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
     wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy7_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy7_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : spread_half_d2;
     wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : spread_half_d2) : phase[0] ? minus_filter_radius : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : minus_filter_radius) : phase[0] ? filter_radius : b_x_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : epsilon_bias) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : center_y_d10) : phase[0] ? center_x_d9 : minus_mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? center_y_d1 : center_x_minus_t_x_d4) : phase[0] ? root_of_first_sum_sum_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : my_product_d1) : phase[0] ? origin_y : a_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : minus_sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? minus_filter_radius : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = add_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_copy3_y : minus_filter_radius;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_5 = add_f24_ftz_unit_copy3_phase[0] ? filter_radius : b_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_6 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? center_y_minus_t_y_d4 : epsilon_bias;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : center_y_d10;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[0] ? center_x_d9 : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_6 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = add_f24_ftz_unit_copy4_phase[0] ? center_y_d1 : center_x_minus_t_x_d4;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = add_f24_ftz_unit_copy4_phase[0] ? root_of_first_sum_sum_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_3 = add_f24_ftz_unit_copy4_phase[1] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_4 = add_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy5_y : my_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_5 = add_f24_ftz_unit_copy4_phase[0] ? origin_y : a_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_6 = add_f24_ftz_unit_copy4_phase[1] ? add_f24_ftz_unit_copy4_a_choice_4 : add_f24_ftz_unit_copy4_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = add_f24_ftz_unit_copy4_phase_copy2[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : minus_sqrt_f24_ftz_unit_y;
     wire [23:0] t_x_plus_t_y_d6 = delay_6_from_1_out[24:1];
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? {~t_x_plus_t_y_d6[23], t_x_plus_t_y_d6[22:0]} : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = phase[0] ? mul_f24_ftz_unit_copy5_y : {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : minus_my_product_d1) : add_f24_ftz_unit_copy4_b_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = add_f24_ftz_unit_copy4_phase_copy2[0] ? {~t_x_plus_t_y_d6[23], t_x_plus_t_y_d6[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = add_f24_ftz_unit_copy4_phase_copy2[1] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = add_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : minus_my_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_5 = add_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_6 = add_f24_ftz_unit_copy4_phase_copy2[1] ? add_f24_ftz_unit_copy4_b_choice_4 : add_f24_ftz_unit_copy4_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = add_f24_ftz_unit_copy5_phase[0] ? center_y_d1 : sqrt_f24_ftz_unit_y;
     wire [23:0] t_x_minus_t_y_d7 = delay_7_from_4_out[48:25];
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? center_y_d1 : sqrt_f24_ftz_unit_y) : phase[0] ? t_x_minus_t_y_d7 : mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : t_x_d1) : phase[0] ? center_y_minus_t_y_d4 : b_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : center_x_minus_t_x_d4) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy8_y : t_y_d1) : phase[0] ? minus_h_y_d1 : minus_mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? origin_y : center_x_d1) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d3) : phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[0] ? first_y_joined_d1_copy2 : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]} : f_times_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_4 = phase[0] ? add_f24_ftz_unit_copy4_y : {~epsilon_d1[23], epsilon_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_5 = phase[1] ? add_f24_ftz_unit_copy6_b_choice_4 : phase[0] ? center_y_d9 : first_sum_sum_d1_copy2;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_x_d1) : t_x_plus_t_y_d6;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_d3) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : first_x_joined_d1) : root_of_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_2 = phase[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]} : {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_3 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : epsilon_d1) : add_f24_ftz_unit_copy7_b_choice_2;
-    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = add_f24_ftz_unit_copy5_phase[0] ? t_x_minus_t_y_d7 : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = add_f24_ftz_unit_copy5_phase[1] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_4 = add_f24_ftz_unit_copy5_phase[0] ? mul_f24_ftz_unit_copy7_y : t_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_5 = add_f24_ftz_unit_copy5_phase[0] ? center_y_minus_t_y_d4 : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_6 = add_f24_ftz_unit_copy5_phase[1] ? add_f24_ftz_unit_copy5_a_choice_4 : add_f24_ftz_unit_copy5_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = add_f24_ftz_unit_copy5_phase_copy2[0] ? first_y_joined_d1 : center_x_minus_t_x_d4;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = add_f24_ftz_unit_copy5_phase_copy2[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = add_f24_ftz_unit_copy5_phase_copy2[1] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_4 = add_f24_ftz_unit_copy5_phase_copy2[0] ? mul_f24_ftz_unit_copy8_y : t_y_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_5 = add_f24_ftz_unit_copy5_phase_copy2[0] ? minus_h_y_d1 : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_6 = add_f24_ftz_unit_copy5_phase_copy2[1] ? add_f24_ftz_unit_copy5_b_choice_4 : add_f24_ftz_unit_copy5_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice = add_f24_ftz_unit_copy6_phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = add_f24_ftz_unit_copy6_phase[1] ? (add_f24_ftz_unit_copy6_phase[0] ? origin_y : center_x_d1) : add_f24_ftz_unit_copy6_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_3 = add_f24_ftz_unit_copy6_phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d3;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_4 = add_f24_ftz_unit_copy6_phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_5 = add_f24_ftz_unit_copy6_phase[1] ? add_f24_ftz_unit_copy6_a_choice_3 : add_f24_ftz_unit_copy6_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice = add_f24_ftz_unit_copy6_phase_copy2[0] ? first_y_joined_d1_copy2 : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = add_f24_ftz_unit_copy6_phase_copy2[0] ? {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]} : f_times_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = add_f24_ftz_unit_copy6_phase_copy2[1] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_4 = add_f24_ftz_unit_copy6_phase_copy2[0] ? add_f24_ftz_unit_copy4_y : {~epsilon_d1[23], epsilon_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_5 = add_f24_ftz_unit_copy6_phase_copy2[0] ? center_y_d9 : first_sum_sum_d1_copy2;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_6 = add_f24_ftz_unit_copy6_phase_copy2[1] ? add_f24_ftz_unit_copy6_b_choice_4 : add_f24_ftz_unit_copy6_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice = add_f24_ftz_unit_copy7_phase[0] ? mul_f24_ftz_unit_copy2_y : center_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_2 = add_f24_ftz_unit_copy7_phase[1] ? add_f24_ftz_unit_copy7_a_choice : t_x_plus_t_y_d6;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_3 = add_f24_ftz_unit_copy7_phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_d3;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_4 = add_f24_ftz_unit_copy7_phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_5 = add_f24_ftz_unit_copy7_phase[1] ? add_f24_ftz_unit_copy7_a_choice_3 : add_f24_ftz_unit_copy7_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice = add_f24_ftz_unit_copy7_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy3_y : first_x_joined_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_2 = add_f24_ftz_unit_copy7_phase_copy2[1] ? add_f24_ftz_unit_copy7_b_choice : root_of_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_3 = add_f24_ftz_unit_copy7_phase_copy2[0] ? add_f24_ftz_unit_copy6_y : epsilon_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_4 = add_f24_ftz_unit_copy7_phase_copy2[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]} : {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_5 = add_f24_ftz_unit_copy7_phase_copy2[1] ? add_f24_ftz_unit_copy7_b_choice_3 : add_f24_ftz_unit_copy7_b_choice_4;
+    wire [23:0] recip_f24_ftz_unit_a_choice = recip_f24_ftz_unit_phase[1] ? (recip_f24_ftz_unit_phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
     wire [23:0] f_chosen = whole_d1 ? e_d1 : delay_5_from_5_out;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : q_d5;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : depth_b) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? before_far_sum_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? scale_x : b_depth_d7) : phase[0] ? beta_d3 : beta_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy4 : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? scale_x : r_d1) : mul_f24_ftz_unit_phase[0] ? alpha_d3 : alpha_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : q_d5;
+    wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy2_y : depth_b;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy2[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_phase_copy2[0] ? before_far_sum_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? scale_x : b_depth_d7) : mul_f24_ftz_unit_copy2_phase[0] ? beta_d3 : beta_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? unit_delta_joined_d1_copy4 : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_5;
     wire [23:0] abs_b_depth_d7 = delay_7_from_4_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : abs_b_depth_d7) : phase[0] ? mul_f24_ftz_unit_y : v_x_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1_copy2 : half_depth_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? unit_delta_joined_d1_copy3 : epsilon_scale;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? filter_radius : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_x_squared_plus_b_x_squared_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? 24'h3fb600 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? alpha_d3 : b_x_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? scale_y : scale_x) : phase[0] ? delta_d1 : f_times_scale_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : t_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : t_x_d1) : phase[0] ? beta_d3 : v_y_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase[0] ? recip_f24_ftz_unit_y : abs_b_depth_d7;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = mul_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_y : v_x_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = mul_f24_ftz_unit_copy3_phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = mul_f24_ftz_unit_copy3_phase[0] ? unit_delta_joined_d1_copy2 : half_depth_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_6 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_sum_d2 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_5 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? unit_delta_joined_d1_copy3 : epsilon_scale;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_6 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice_4 : mul_f24_ftz_unit_copy3_b_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = mul_f24_ftz_unit_copy4_phase[1] ? (mul_f24_ftz_unit_copy4_phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : mul_f24_ftz_unit_copy4_a_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_3 = mul_f24_ftz_unit_copy4_phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_4 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_3 : mul_f24_ftz_unit_copy4_phase[0] ? filter_radius : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? a_x_squared_plus_b_x_squared_d2 : t_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_5 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice_4 : mul_f24_ftz_unit_copy4_phase_copy2[0] ? 24'h3fb600 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = mul_f24_ftz_unit_copy5_phase[1] ? (mul_f24_ftz_unit_copy5_phase[0] ? scale_y : t_y_d1) : mul_f24_ftz_unit_copy5_phase[0] ? alpha_d3 : b_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = mul_f24_ftz_unit_copy5_phase[1] ? (mul_f24_ftz_unit_copy5_phase[0] ? scale_y : scale_x) : mul_f24_ftz_unit_copy5_phase[0] ? delta_d1 : f_times_scale_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = mul_f24_ftz_unit_copy5_phase_copy2[0] ? add_f24_ftz_unit_copy4_y : t_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = mul_f24_ftz_unit_copy5_phase_copy2[1] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_4 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_5 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_6 = mul_f24_ftz_unit_copy5_phase_copy2[1] ? mul_f24_ftz_unit_copy5_b_choice_4 : mul_f24_ftz_unit_copy5_b_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = mul_f24_ftz_unit_copy6_phase[1] ? (mul_f24_ftz_unit_copy6_phase[0] ? scale_y : t_x_d1) : mul_f24_ftz_unit_copy6_phase[0] ? beta_d3 : v_y_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = mul_f24_ftz_unit_copy6_phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_3 = mul_f24_ftz_unit_copy6_phase[1] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = mul_f24_ftz_unit_copy6_phase_copy2[0] ? add_f24_ftz_unit_copy5_y : t_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = mul_f24_ftz_unit_copy6_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = mul_f24_ftz_unit_copy6_phase_copy2[1] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
     wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? sight_near_out_joined : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : a_x_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : a_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_4 = mul_f24_ftz_unit_copy6_phase_copy2[0] ? sight_near_out_joined : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_5 = mul_f24_ftz_unit_copy6_phase_copy2[1] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy6_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = mul_f24_ftz_unit_copy7_phase[0] ? mul_f24_ftz_unit_copy5_y : a_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_2 = mul_f24_ftz_unit_copy7_phase[1] ? (mul_f24_ftz_unit_copy7_phase[0] ? recip_f24_ftz_unit_y : a_x_d1) : mul_f24_ftz_unit_copy7_a_choice;
     wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? one_minus_depth_a_d9 : f_times_scale_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : a_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_3 = mul_f24_ftz_unit_copy7_phase[0] ? one_minus_depth_a_d9 : f_times_scale_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_4 = mul_f24_ftz_unit_copy7_phase[1] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy7_a_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = mul_f24_ftz_unit_copy7_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = mul_f24_ftz_unit_copy7_phase_copy2[1] ? (mul_f24_ftz_unit_copy7_phase_copy2[0] ? t_y_sum_d2 : a_y_d1) : mul_f24_ftz_unit_copy7_b_choice;
     wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? delta_times_one_over_b_depth_d1 : first_y_chosen_d9;
-    wire [23:0] mul_f24_ftz_unit_copy8_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_x_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : b_y_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy8_b_choice = phase[1] ? (phase[0] ? a_y_squared_plus_b_y_squared_d2 : b_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : q_d2) : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : first_difference_sum_d1) : first_difference_sum_d1;
-    wire [23:0] le_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : add_f24_ftz_unit_copy2_y;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h470000 : first_x_chosen_d1_copy2) : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? 24'h45fff8 : phase[0] ? first_y_chosen_d1_copy2 : 24'h470000;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? first_sum_chosen_d1 : center_x_minus_filter_radius_d1) : {1'd0, mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? last_x_chosen_d1_copy3 : phase[0] ? add_f24_ftz_unit_copy3_y : last_sum_chosen_d1;
-    wire [23:0] min_f24_ftz_unit_copy2_b_choice = phase[1] ? last_difference_chosen_d1 : first_difference_chosen_d1;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = phase[1] ? center_y_d1_copy2 : phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_3 = mul_f24_ftz_unit_copy7_phase_copy2[0] ? delta_times_one_over_b_depth_d1 : first_y_chosen_d9;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_4 = mul_f24_ftz_unit_copy7_phase_copy2[1] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy7_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy8_a_choice = mul_f24_ftz_unit_copy8_phase[0] ? mul_f24_ftz_unit_copy6_y : b_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy8_a_choice_2 = mul_f24_ftz_unit_copy8_phase[1] ? (mul_f24_ftz_unit_copy8_phase[0] ? recip_f24_ftz_unit_y : b_x_d1) : mul_f24_ftz_unit_copy8_a_choice;
+    wire [23:0] mul_f24_ftz_unit_copy8_a_choice_3 = mul_f24_ftz_unit_copy8_phase[1] ? (mul_f24_ftz_unit_copy8_phase[0] ? 24'h3f8008 : 24'h3f8008) : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice = mul_f24_ftz_unit_copy8_phase_copy2[0] ? a_y_squared_plus_b_y_squared_d2 : b_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_2 = mul_f24_ftz_unit_copy8_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_3 = mul_f24_ftz_unit_copy8_phase_copy2[1] ? mul_f24_ftz_unit_copy8_b_choice : mul_f24_ftz_unit_copy8_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_4 = mul_f24_ftz_unit_copy8_phase_copy2[1] ? add_f24_ftz_unit_copy6_y : first_sum_sum_d2;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = sqrt_f24_ftz_unit_phase[1] ? (sqrt_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy6_y : q_d2) : sqrt_f24_ftz_unit_a_choice;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_3 = sqrt_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy3_y : first_difference_sum_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_4 = sqrt_f24_ftz_unit_phase[1] ? sqrt_f24_ftz_unit_a_choice_3 : first_difference_sum_d1;
+    wire [23:0] le_f24_ftz_unit_a_choice = le_f24_ftz_unit_phase[1] ? (le_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : 24'd0) : add_f24_ftz_unit_copy2_y;
+    wire [23:0] le_f24_ftz_unit_b_choice = le_f24_ftz_unit_phase[1] ? (le_f24_ftz_unit_phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : le_f24_ftz_unit_phase[0] ? 24'h3f8000 : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h470000 : first_x_chosen_d1_copy2) : min_f24_ftz_unit_phase[0] ? 24'h3f8000 : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h45fff8 : 24'h45fff8) : min_f24_ftz_unit_phase[0] ? first_y_chosen_d1_copy2 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[0] ? first_sum_chosen_d1 : center_x_minus_filter_radius_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice : {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy3_y : last_sum_chosen_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[1] ? last_x_chosen_d1_copy3 : min_f24_ftz_unit_b_choice_3;
+    wire [23:0] min_f24_ftz_unit_copy2_a_choice = min_f24_ftz_unit_copy2_phase[0] ? 24'h45fff8 : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_copy2_a_choice_2 = min_f24_ftz_unit_copy2_phase[1] ? min_f24_ftz_unit_copy2_a_choice : min_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] min_f24_ftz_unit_copy2_a_choice_3 = min_f24_ftz_unit_copy2_phase[0] ? 24'h470000 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_copy2_a_choice_4 = min_f24_ftz_unit_copy2_phase[1] ? min_f24_ftz_unit_copy2_a_choice_3 : min_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] min_f24_ftz_unit_copy2_b_choice = min_f24_ftz_unit_copy2_phase[1] ? last_difference_chosen_d1 : first_difference_chosen_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = to_fixed_f24_ftz_u21q8_unit_phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = to_fixed_f24_ftz_u21q8_unit_phase[1] ? max_f24_ftz_unit_y : to_fixed_f24_ftz_u21q8_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_3 = to_fixed_f24_ftz_u21q8_unit_phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_4 = to_fixed_f24_ftz_u21q8_unit_phase[1] ? max_f24_ftz_unit_copy2_y : to_fixed_f24_ftz_u21q8_unit_a_choice_3;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = to_fixed_f24_ftz_s22q8_unit_phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice_2 = to_fixed_f24_ftz_s22q8_unit_phase[1] ? center_y_d1_copy2 : to_fixed_f24_ftz_s22q8_unit_a_choice;
     wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
     wire [23:0] ay_out = delay_9_from_6_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
     wire [23:0] ax_out = delay_9_from_6_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
@@ -7690,185 +9401,210 @@ module splat_setup (
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
 
-    assign in_ready = load_0;
+    assign {out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay} = queue_1_out_data;
+    assign {out_by, out_delta, out_mx, out_my, out_sight_negative, out_sight_near} = queue_2_out_data;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference
-    } = queue_out_data;
-
-    stream_skid_w638 queue (
-        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
-        .in_data({
-            end_d21, center_x_d15, center_y_d15, ax_out_d11, bx_out_d12, ay_out_d11, by_out_d12, delta_out,
-            mx_d12, my_d12, sight_negative_out_d13, sight_near_out, sight_far_out, turned_d21, sight_disc_out_d16,
-            depth_out_d6, depth_low_out_d3, depth_high_out_d3, attribute_0_d21, attribute_1_d21, attribute_2_d21,
-            attribute_3_d21, attribute_4_d21, attribute_5_d21, attribute_6_d21, attribute_7_d21, attribute_8_d21,
-            attribute_9_d21, attribute_10_d21, attribute_11_d21, attribute_12_d21, cardinal_0_d21, first_x_d3,
-            last_x_d4, first_y_d3, last_y_d3, first_sum_d1[9:0], last_sum_out_d1, first_difference_d1[9:0],
-            last_difference_out_d1
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_sight_far, out_sight_turned, out_sight_disc, out_depth, out_depth_low, out_depth_high,
+        out_attribute_0
+    } = queue_3_out_data;
+    assign {
+        out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6,
+        out_attribute_7, out_attribute_8
+    } = queue_4_out_data;
+    assign {
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_first_sum
+    } = queue_5_out_data;
+    assign {out_last_sum, out_first_difference, out_last_difference} = queue_6_out_data;
 
     float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
-        .y(max_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b), .y(max_f24_ftz_unit_y)
     );
 
     float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
-        .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b), .y(lt_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_copy2_a), .b(lt_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_copy2_a), .b(lt_f24_ftz_unit_copy2_b),
         .y(lt_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_a), .b(add_f24_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy6_a), .b(add_f24_ftz_unit_copy6_b),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_a), .b(add_f24_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy7_a), .b(add_f24_ftz_unit_copy7_b),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_a), .b(mul_f24_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_a), .b(mul_f24_ftz_unit_copy7_b),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_a), .b(mul_f24_ftz_unit_copy8_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy8_a), .b(mul_f24_ftz_unit_copy8_b),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
     float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
-        .y(le_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b), .y(le_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
-        .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b), .y(min_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_copy2_a), .b(min_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(min_f24_ftz_unit_copy2_a), .b(min_f24_ftz_unit_copy2_b),
         .y(min_f24_ftz_unit_copy2_y)
     );
 
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
-        .y(to_fixed_f24_ftz_u21q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u21q8_unit_a), .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_f24_ftz_u23q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u23q8_unit_a),
-        .y(to_fixed_f24_ftz_u23q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u23q8_unit_a), .y(to_fixed_f24_ftz_u23q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_f24_ftz_s22q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s22q8_unit_a),
-        .y(to_fixed_f24_ftz_s22q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_s22q8_unit_a), .y(to_fixed_f24_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
-        .y(to_fixed_f24_ftz_u24q24_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u24q24_unit_a), .y(to_fixed_f24_ftz_u24q24_unit_y)
+    );
+
+    stream_fifo_d22_w121_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d21, center_x_d15, center_y_d15, ax_out_d11, bx_out_d12, ay_out_d11}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d22_w120_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({by_out_d12, delta_out, mx_d12, my_d12, sight_negative_out_d13, sight_near_out}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d22_w113_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            sight_far_out, turned_d21, sight_disc_out_d16, depth_out_d6, depth_low_out_d3, depth_high_out_d3,
+            attribute_0_d21
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
+    );
+
+    stream_fifo_d22_w128_distributed queue_4 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
+        .in_data({
+            attribute_1_d21, attribute_2_d21, attribute_3_d21, attribute_4_d21, attribute_5_d21, attribute_6_d21,
+            attribute_7_d21, attribute_8_d21
+        }),
+        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
+    );
+
+    stream_fifo_d22_w126_distributed queue_5 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
+        .in_data({
+            attribute_9_d21, attribute_10_d21, attribute_11_d21, attribute_12_d21, cardinal_0_d21, first_x_d3,
+            last_x_d4, first_y_d3, last_y_d3, first_sum_d1[9:0]
+        }),
+        .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
+    );
+
+    stream_fifo_d22_w30_distributed queue_6 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_6_in_ready),
+        .in_data({last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
+        .out_valid(queue_6_out_valid), .out_ready(out_ready), .out_data(queue_6_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 3'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_5 <= 1'd0;
-            load_6 <= 1'd0;
-            load_7 <= 1'd0;
+            credits <= 6'd21;
+            phases_1 <= 8'd1;
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
+            phases_2 <= 8'd1;
             delay_9_from_0_pointer <= 3'd0;
             delay_11_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
+            phases_3 <= 8'd1;
             delay_21_from_0_pointer <= 5'd0;
+            phases_4 <= 8'd1;
+            delay_21_from_0_copy2_pointer <= 5'd0;
+            delay_21_from_0_copy3_pointer <= 5'd0;
             delay_6_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_11_from_2_pointer <= 4'd0;
@@ -7890,129 +9626,212 @@ module splat_setup (
             delay_9_from_7_pointer <= 3'd0;
             delay_10_from_7_pointer <= 4'd0;
             delay_13_from_7_pointer <= 4'd0;
+            phases_5 <= 8'd1;
+            phases_6 <= 8'd1;
+            phases_7 <= 8'd1;
+            phases_8 <= 8'd1;
+            phases_9 <= 8'd1;
+            phases_10 <= 8'd1;
+            phases_11 <= 8'd1;
+            phases_12 <= 8'd1;
+            phases_13 <= 8'd1;
+            max_f24_ftz_unit_phase <= 3'd0;
+            max_f24_ftz_unit_phase_copy2 <= 3'd0;
+            max_f24_ftz_unit_copy2_phase <= 3'd0;
+            max_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            lt_f24_ftz_unit_phase <= 3'd0;
+            lt_f24_ftz_unit_phase_copy2 <= 3'd0;
+            lt_f24_ftz_unit_copy2_phase <= 3'd0;
+            add_f24_ftz_unit_phase <= 3'd0;
+            add_f24_ftz_unit_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy2_phase <= 3'd0;
+            add_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy3_phase <= 3'd0;
+            add_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy4_phase <= 3'd0;
+            add_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy5_phase <= 3'd0;
+            add_f24_ftz_unit_copy5_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy6_phase <= 3'd0;
+            add_f24_ftz_unit_copy6_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy7_phase <= 3'd0;
+            add_f24_ftz_unit_copy7_phase_copy2 <= 3'd0;
+            recip_f24_ftz_unit_phase <= 3'd0;
+            mul_f24_ftz_unit_phase <= 3'd0;
+            mul_f24_ftz_unit_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy2_phase <= 3'd0;
+            mul_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy3_phase <= 3'd0;
+            mul_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy4_phase <= 3'd0;
+            mul_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy5_phase <= 3'd0;
+            mul_f24_ftz_unit_copy5_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy6_phase <= 3'd0;
+            mul_f24_ftz_unit_copy6_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy7_phase <= 3'd0;
+            mul_f24_ftz_unit_copy7_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy8_phase <= 3'd0;
+            mul_f24_ftz_unit_copy8_phase_copy2 <= 3'd0;
+            sqrt_f24_ftz_unit_phase <= 3'd0;
+            le_f24_ftz_unit_phase <= 3'd0;
+            min_f24_ftz_unit_phase <= 3'd0;
+            min_f24_ftz_unit_phase_copy2 <= 3'd0;
+            min_f24_ftz_unit_copy2_phase <= 3'd0;
+            to_fixed_f24_ftz_u21q8_unit_phase <= 3'd0;
+            to_fixed_f24_ftz_u23q8_unit_phase <= 3'd0;
+            to_fixed_f24_ftz_s22q8_unit_phase <= 3'd0;
             in_flight <= 21'd0;
+            left <= 1'd0;
+            dropped <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 3'd0);
-            load_1 <= advance_next & (phase_next == 3'd1);
-            load_2 <= advance_next & (phase_next == 3'd2);
-            load_3 <= advance_next & (phase_next == 3'd3);
-            load_4 <= advance_next & (phase_next == 3'd4);
-            load_5 <= advance_next & (phase_next == 3'd5);
-            load_6 <= advance_next & (phase_next == 3'd6);
-            load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) begin
+            credits <= (credits - {5'd0, in_valid_and_in_ready}) + {5'd0, left} + {5'd0, dropped};
+            phases_1 <= {phases_1[6:0], phases_1[7]};
+            phases_2 <= {phases_2[6:0], phases_2[7]};
+            phases_3 <= {phases_3[6:0], phases_3[7]};
+            phases_4 <= {phases_4[6:0], phases_4[7]};
+            phases_5 <= {phases_5[6:0], phases_5[7]};
+            phases_6 <= {phases_6[6:0], phases_6[7]};
+            phases_7 <= {phases_7[6:0], phases_7[7]};
+            phases_8 <= {phases_8[6:0], phases_8[7]};
+            phases_9 <= {phases_9[6:0], phases_9[7]};
+            phases_10 <= {phases_10[6:0], phases_10[7]};
+            phases_11 <= {phases_11[6:0], phases_11[7]};
+            phases_12 <= {phases_12[6:0], phases_12[7]};
+            phases_13 <= {phases_13[6:0], phases_13[7]};
+            max_f24_ftz_unit_phase <= (max_f24_ftz_unit_phase == 3'd7) ? (max_f24_ftz_unit_phase - 3'd7) : (max_f24_ftz_unit_phase + 3'd1);
+            max_f24_ftz_unit_phase_copy2 <= (max_f24_ftz_unit_phase_copy2 == 3'd7) ? (max_f24_ftz_unit_phase_copy2 - 3'd7) : (max_f24_ftz_unit_phase_copy2 + 3'd1);
+            max_f24_ftz_unit_copy2_phase <= (max_f24_ftz_unit_copy2_phase == 3'd7) ? (max_f24_ftz_unit_copy2_phase - 3'd7) : (max_f24_ftz_unit_copy2_phase + 3'd1);
+            max_f24_ftz_unit_copy2_phase_copy2 <= (max_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (max_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (max_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            lt_f24_ftz_unit_phase <= (lt_f24_ftz_unit_phase == 3'd7) ? (lt_f24_ftz_unit_phase - 3'd7) : (lt_f24_ftz_unit_phase + 3'd1);
+            lt_f24_ftz_unit_phase_copy2 <= (lt_f24_ftz_unit_phase_copy2 == 3'd7) ? (lt_f24_ftz_unit_phase_copy2 - 3'd7) : (lt_f24_ftz_unit_phase_copy2 + 3'd1);
+            lt_f24_ftz_unit_copy2_phase <= (lt_f24_ftz_unit_copy2_phase == 3'd7) ? (lt_f24_ftz_unit_copy2_phase - 3'd7) : (lt_f24_ftz_unit_copy2_phase + 3'd1);
+            add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 3'd7) ? (add_f24_ftz_unit_phase - 3'd7) : (add_f24_ftz_unit_phase + 3'd1);
+            add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_phase_copy2 - 3'd7) : (add_f24_ftz_unit_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 3'd7) ? (add_f24_ftz_unit_copy2_phase - 3'd7) : (add_f24_ftz_unit_copy2_phase + 3'd1);
+            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy3_phase <= (add_f24_ftz_unit_copy3_phase == 3'd7) ? (add_f24_ftz_unit_copy3_phase - 3'd7) : (add_f24_ftz_unit_copy3_phase + 3'd1);
+            add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy4_phase <= (add_f24_ftz_unit_copy4_phase == 3'd7) ? (add_f24_ftz_unit_copy4_phase - 3'd7) : (add_f24_ftz_unit_copy4_phase + 3'd1);
+            add_f24_ftz_unit_copy4_phase_copy2 <= (add_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy5_phase <= (add_f24_ftz_unit_copy5_phase == 3'd7) ? (add_f24_ftz_unit_copy5_phase - 3'd7) : (add_f24_ftz_unit_copy5_phase + 3'd1);
+            add_f24_ftz_unit_copy5_phase_copy2 <= (add_f24_ftz_unit_copy5_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy5_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy5_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy6_phase <= (add_f24_ftz_unit_copy6_phase == 3'd7) ? (add_f24_ftz_unit_copy6_phase - 3'd7) : (add_f24_ftz_unit_copy6_phase + 3'd1);
+            add_f24_ftz_unit_copy6_phase_copy2 <= (add_f24_ftz_unit_copy6_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy6_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy6_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy7_phase <= (add_f24_ftz_unit_copy7_phase == 3'd7) ? (add_f24_ftz_unit_copy7_phase - 3'd7) : (add_f24_ftz_unit_copy7_phase + 3'd1);
+            add_f24_ftz_unit_copy7_phase_copy2 <= (add_f24_ftz_unit_copy7_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy7_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy7_phase_copy2 + 3'd1);
+            recip_f24_ftz_unit_phase <= (recip_f24_ftz_unit_phase == 3'd7) ? (recip_f24_ftz_unit_phase - 3'd7) : (recip_f24_ftz_unit_phase + 3'd1);
+            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
+            mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 3'd7) ? (mul_f24_ftz_unit_copy2_phase - 3'd7) : (mul_f24_ftz_unit_copy2_phase + 3'd1);
+            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy3_phase <= (mul_f24_ftz_unit_copy3_phase == 3'd7) ? (mul_f24_ftz_unit_copy3_phase - 3'd7) : (mul_f24_ftz_unit_copy3_phase + 3'd1);
+            mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 3'd7) ? (mul_f24_ftz_unit_copy4_phase - 3'd7) : (mul_f24_ftz_unit_copy4_phase + 3'd1);
+            mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy5_phase <= (mul_f24_ftz_unit_copy5_phase == 3'd7) ? (mul_f24_ftz_unit_copy5_phase - 3'd7) : (mul_f24_ftz_unit_copy5_phase + 3'd1);
+            mul_f24_ftz_unit_copy5_phase_copy2 <= (mul_f24_ftz_unit_copy5_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy5_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy5_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy6_phase <= (mul_f24_ftz_unit_copy6_phase == 3'd7) ? (mul_f24_ftz_unit_copy6_phase - 3'd7) : (mul_f24_ftz_unit_copy6_phase + 3'd1);
+            mul_f24_ftz_unit_copy6_phase_copy2 <= (mul_f24_ftz_unit_copy6_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy6_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy6_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy7_phase <= (mul_f24_ftz_unit_copy7_phase == 3'd7) ? (mul_f24_ftz_unit_copy7_phase - 3'd7) : (mul_f24_ftz_unit_copy7_phase + 3'd1);
+            mul_f24_ftz_unit_copy7_phase_copy2 <= (mul_f24_ftz_unit_copy7_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy7_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy7_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy8_phase <= (mul_f24_ftz_unit_copy8_phase == 3'd7) ? (mul_f24_ftz_unit_copy8_phase - 3'd7) : (mul_f24_ftz_unit_copy8_phase + 3'd1);
+            mul_f24_ftz_unit_copy8_phase_copy2 <= (mul_f24_ftz_unit_copy8_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy8_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy8_phase_copy2 + 3'd1);
+            sqrt_f24_ftz_unit_phase <= (sqrt_f24_ftz_unit_phase == 3'd7) ? (sqrt_f24_ftz_unit_phase - 3'd7) : (sqrt_f24_ftz_unit_phase + 3'd1);
+            le_f24_ftz_unit_phase <= (le_f24_ftz_unit_phase == 3'd7) ? (le_f24_ftz_unit_phase - 3'd7) : (le_f24_ftz_unit_phase + 3'd1);
+            min_f24_ftz_unit_phase <= (min_f24_ftz_unit_phase == 3'd7) ? (min_f24_ftz_unit_phase - 3'd7) : (min_f24_ftz_unit_phase + 3'd1);
+            min_f24_ftz_unit_phase_copy2 <= (min_f24_ftz_unit_phase_copy2 == 3'd7) ? (min_f24_ftz_unit_phase_copy2 - 3'd7) : (min_f24_ftz_unit_phase_copy2 + 3'd1);
+            min_f24_ftz_unit_copy2_phase <= (min_f24_ftz_unit_copy2_phase == 3'd7) ? (min_f24_ftz_unit_copy2_phase - 3'd7) : (min_f24_ftz_unit_copy2_phase + 3'd1);
+            to_fixed_f24_ftz_u21q8_unit_phase <= (to_fixed_f24_ftz_u21q8_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u21q8_unit_phase - 3'd7) : (to_fixed_f24_ftz_u21q8_unit_phase + 3'd1);
+            to_fixed_f24_ftz_u23q8_unit_phase <= (to_fixed_f24_ftz_u23q8_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u23q8_unit_phase - 3'd7) : (to_fixed_f24_ftz_u23q8_unit_phase + 3'd1);
+            to_fixed_f24_ftz_s22q8_unit_phase <= (to_fixed_f24_ftz_s22q8_unit_phase == 3'd7) ? (to_fixed_f24_ftz_s22q8_unit_phase - 3'd7) : (to_fixed_f24_ftz_s22q8_unit_phase + 3'd1);
+            left <= out_valid & out_ready;
+            dropped <= in_flight_20_and_phases_4_0 & ~end_or_visible;
+            if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+            end
+            if (phases_2[0]) begin
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
-                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
-                in_flight <= {in_flight[19:0], in_valid};
+                delay_21_from_0_copy3_pointer <= (delay_21_from_0_copy3_pointer == 5'd19) ? (delay_21_from_0_copy3_pointer - 5'd19) : (delay_21_from_0_copy3_pointer + 5'd1);
             end
-            if (load_1) begin
+            if (phases_3[0]) begin
+                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
+            end
+            if (phases_4[0]) begin
+                delay_21_from_0_copy2_pointer <= (delay_21_from_0_copy2_pointer == 5'd19) ? (delay_21_from_0_copy2_pointer - 5'd19) : (delay_21_from_0_copy2_pointer + 5'd1);
+            end
+            if (phases_1[1]) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
             end
-            if (load_2) begin
+            if (phases_1[2]) begin
                 delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
                 delay_19_from_2_pointer <= (delay_19_from_2_pointer == 5'd17) ? (delay_19_from_2_pointer - 5'd17) : (delay_19_from_2_pointer + 5'd1);
             end
-            if (load_3) begin
+            if (phases_1[3]) begin
                 delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
             end
-            if (load_4) begin
+            if (phases_1[4]) begin
                 delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
                 delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
                 delay_11_from_4_pointer <= (delay_11_from_4_pointer == 4'd9) ? (delay_11_from_4_pointer - 4'd9) : (delay_11_from_4_pointer + 4'd1);
+            end
+            if (phases_2[4]) begin
                 delay_12_from_4_pointer <= (delay_12_from_4_pointer == 4'd10) ? (delay_12_from_4_pointer - 4'd10) : (delay_12_from_4_pointer + 4'd1);
             end
-            if (load_5) begin
+            if (phases_1[5]) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
                 delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
                 delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
                 delay_14_from_5_pointer <= (delay_14_from_5_pointer == 4'd12) ? (delay_14_from_5_pointer - 4'd12) : (delay_14_from_5_pointer + 4'd1);
             end
-            if (load_6) begin
+            if (phases_1[6]) begin
                 delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
                 delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
                 delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
                 delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
                 delay_20_from_6_pointer <= (delay_20_from_6_pointer == 5'd18) ? (delay_20_from_6_pointer - 5'd18) : (delay_20_from_6_pointer + 5'd1);
             end
-            if (load_7) begin
+            if (phases_1[7]) begin
                 delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
                 delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
                 delay_13_from_7_pointer <= (delay_13_from_7_pointer == 4'd11) ? (delay_13_from_7_pointer - 4'd11) : (delay_13_from_7_pointer + 4'd1);
             end
+            if (phases_12[0]) in_flight <= {in_flight[19:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_3[0]) begin
             center_x_d1 <= in_center_x;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+        end
+        if (phases_4[0]) begin
             center_y_d1 <= in_center_y;
+            visible_both_d3 <= visible_both_d2;
+            visible_unequal_d1 <= visible_unequal_copy3;
+        end
+        if (phases_5[0]) begin
             center_z_d1 <= in_center_z;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
             tangent2_x_d1 <= in_tangent2_x;
+            mx_chosen_d1 <= mx_chosen[7:0];
+        end
+        if (phases_6[0]) begin
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            turned_greater_d1 <= turned_greater;
             center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
             lowered_greater_d1_copy2 <= lowered_greater_copy2;
             scale_x_times_v_x_d1 <= mul_f24_ftz_unit_copy5_y;
             center_x_d6 <= center_x_d5;
-            center_x_d7 <= center_x_d6;
-            center_x_d8 <= center_x_d7;
-            center_x_d9 <= center_x_d8;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy3_y;
-            first_x_d1 <= first_x;
-            first_x_d2 <= first_x_d1;
             first_x_d3 <= first_x_d2;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy4_y;
-            center_y_d2 <= center_y_d1_copy2;
-            center_y_d3 <= center_y_d2;
-            center_y_d4 <= center_y_d3;
-            center_y_d5 <= center_y_d4;
-            center_y_d6 <= center_y_d5;
-            center_y_d7 <= center_y_d6;
-            center_y_d8 <= center_y_d7;
-            center_y_d9 <= center_y_d8;
-            center_y_d10 <= center_y_d9;
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy6_y;
-            first_y_d1 <= first_y;
-            first_y_d2 <= first_y_d1;
-            first_y_d3 <= first_y_d2;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            last_y_d3 <= last_y_d2;
-            mx_both_d1 <= mx_both;
-            mx_chosen_d1 <= mx_chosen[7:0];
-            mx_both_d1_copy2 <= mx_both_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            mx_product_minus_mx_product_d1 <= add_f24_ftz_unit_copy7_y;
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            largest_sum_d1_copy2 <= largest_sum_copy3;
-            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
-            largest_sum_d3 <= largest_sum_d2_copy2;
-            mx_sum_d1_copy3 <= mx_sum_copy3;
-            mx_sum_d2 <= mx_sum_d1_copy3;
-            mx_sum_d3 <= mx_sum_d2;
-            first_difference_sum_d1_copy3 <= first_difference_sum;
-            last_difference_chosen_d1 <= last_difference_chosen;
-            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
-            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
-            visible_both_d1 <= visible_both_copy2;
-            visible_both_d2 <= visible_both_d1;
-            visible_both_d3 <= visible_both_d2;
-            visible_unequal_d1 <= visible_unequal_copy3;
         end
-        if (load_3) begin
+        if (phases_1[3]) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
             first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
             first_x_in_order_d1 <= first_x_in_order;
@@ -8034,38 +9853,10 @@ module splat_setup (
             swapped_d1 <= lt_f24_ftz_unit_copy2_y;
             turned_either_d1 <= turned_either;
             lowered_greater_d1_copy5 <= lowered_greater_copy5;
-            center_depth_d8 <= delay_7_from_3_out;
-            center_depth_d9 <= center_depth_d8;
-            spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
-            spread_middle_d2 <= spread_middle_d1;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy4_y;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
             ax_out_both_d1 <= ax_out_both;
-            ax_out_chosen_d1 <= ax_out_chosen[7:0];
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
             ay_out_both_d1 <= ay_out_both;
-            ay_out_chosen_d1 <= ay_out_chosen[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            bx_out_both_d1 <= bx_out_both;
-            bx_out_chosen_d1 <= bx_out_chosen[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            by_out_both_d1 <= by_out_both;
-            by_out_chosen_d1 <= by_out_chosen[7:0];
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
-            my_both_d1 <= my_both;
-            my_chosen_d1 <= my_chosen[7:0];
-            first_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
-            first_sum_sum_d2 <= first_sum_sum_d1;
-            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy7_y;
-            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
-            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
-            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
-            last_sum_out_d1 <= last_sum[9:0];
         end
-        if (load_4) begin
+        if (phases_1[4]) begin
             first_x_both_d1 <= first_x_both_copy3;
             first_x_either_d1 <= first_x_either;
             first_y_greater_bits_d1 <= first_x_greater_bits_d1_bits;
@@ -8074,52 +9865,36 @@ module splat_setup (
             first_y_inverted_d1 <= first_y_inverted;
             first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
             first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
-            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
             first_y_greater_sign_d1 <= max_f24_ftz_unit_y[23];
             reaches_near_both_d1 <= reaches_near_both_copy3;
             reaches_near_either_d1 <= reaches_near_either;
-            lowered_d1 <= lowered;
-            r_d1 <= recip_f24_ftz_unit_y;
-            b_depth_d1 <= mul_f24_ftz_unit_y;
-            b_depth_d2 <= b_depth_d1;
-            b_depth_d3 <= b_depth_d2;
-            b_depth_d4 <= b_depth_d3;
-            b_depth_d5 <= b_depth_d4;
-            b_depth_d6 <= b_depth_d5;
-            b_depth_d7 <= b_depth_d6;
-            spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
-            spread_half_d2 <= spread_half_d1;
-            spread_half_d3 <= spread_half_d2;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
-            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
-            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
-            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
-            ax_out_joined_d1 <= {a_x_sign_d3, ax_out_chosen_copy2};
-            ay_out_joined_d1 <= {a_y_sign_d3, ay_out_chosen_copy2};
-            delta_d1 <= delta;
-            last_sum_sum_d1 <= add_f24_ftz_unit_copy4_y;
-            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy5_y;
-            last_difference_sum_d1 <= add_f24_ftz_unit_copy6_y;
-            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
-            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
-            first_difference_greater_d1 <= first_difference_greater;
-            ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
-            ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
         end
-        if (load_5) begin
+        if (phases_1[5]) begin
             first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
             first_y_both_d1 <= first_y_both_copy3;
             first_y_either_d1 <= first_y_either;
-            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
             a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
             a_x_chosen_d1 <= a_x_chosen[7:0];
             a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+        end
+        if (phases_2[4]) begin
+            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
+            lowered_d1 <= lowered;
+        end
+        if (phases_1[6]) begin
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            turned_d1 <= turned;
+            v_x_chosen_d1 <= v_x_chosen_copy2;
+            v_x_chosen_d2 <= v_x_chosen_d1;
+            v_x_chosen_d3 <= v_x_chosen_d2;
+            lowered_chosen_sign_d1 <= lowered_chosen_copy6[23];
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[23];
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[23];
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[23];
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[23];
+        end
+        if (phases_2[5]) begin
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
             a_y_chosen_d1 <= a_y_chosen[7:0];
             alpha_both_d1 <= alpha_both;
             alpha_chosen_d1 <= alpha_chosen[7:0];
@@ -8136,202 +9911,38 @@ module splat_setup (
             beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
             reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
             before_far_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
-            middle_depth_d3 <= middle_depth_d2;
-            half_depth_d1 <= half_depth;
-            epsilon_d1 <= add_f24_ftz_unit_copy3_y;
-            a_x_d1 <= mul_f24_ftz_unit_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
-            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy7_y;
-            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
-            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
-            last_x_lesser_d1 <= last_x_lesser;
-            a_y_d1 <= mul_f24_ftz_unit_copy5_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            t_y_d1 <= mul_f24_ftz_unit_copy7_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy8_y;
-            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            a_x_bits_d2 <= a_x_bits_d1;
-            a_x_bits_d3 <= a_x_bits_d2;
-            a_y_bits_d1 <= a_y_bits_d1_bits;
-            a_y_bits_d2 <= a_y_bits_d1;
-            a_y_bits_d3 <= a_y_bits_d2;
-            a_exponent_d1 <= a_exponent;
-            b_x_bits_d1 <= b_x_bits_d1_bits;
-            b_x_bits_d2 <= b_x_bits_d1;
-            b_x_bits_d3 <= b_x_bits_d2;
-            b_y_bits_d1 <= b_y_bits_d1_bits;
-            b_y_bits_d2 <= b_y_bits_d1;
-            b_y_bits_d3 <= b_y_bits_d2;
-            b_exponent_d1 <= b_exponent;
-            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
             not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
             not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
             not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
             a_x_bits_is_255_d1 <= a_x_bits_is_255;
             a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
             a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
-            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
             a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
-            a_x_sign_d2 <= a_x_sign_d1;
-            a_x_sign_d3 <= a_x_sign_d2;
-            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
-            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
-            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
-            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
-            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
-            a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
-            a_y_sign_d1 <= mul_f24_ftz_unit_copy5_y[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            a_y_sign_d3 <= a_y_sign_d2;
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
-            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
-            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
-            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
-            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
-            b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            b_x_sign_d2 <= b_x_sign_d1;
-            b_x_sign_d3 <= b_x_sign_d2;
-            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
-            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
-            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
-            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
-            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
-            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
-            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
-            b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
-            b_y_sign_d2 <= b_y_sign_d1;
-            b_y_sign_d3 <= b_y_sign_d2;
-            first_difference_d1 <= first_difference;
-            last_difference_lesser_d1 <= last_difference_lesser;
         end
-        if (load_6) begin
-            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
-            turned_d1 <= turned;
-            v_x_chosen_d1 <= v_x_chosen_copy2;
-            v_x_chosen_d2 <= v_x_chosen_d1;
-            v_x_chosen_d3 <= v_x_chosen_d2;
+        if (phases_1[0]) begin
+            turned_greater_d1 <= turned_greater;
+            first_x_d1 <= first_x;
+            mx_both_d1 <= mx_both;
+        end
+        if (phases_2[6]) begin
             v_y_chosen_d1 <= v_y_chosen_copy2;
             v_y_chosen_d2 <= v_y_chosen_d1;
             v_y_chosen_d3 <= v_y_chosen_d2;
             lowered_chosen_d1 <= lowered_chosen_copy5;
             lowered_chosen_bits_d1 <= {3'd0, lowered_chosen_copy6[22:15]};
             lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_copy7[22:15]};
-            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
-            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
-            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
-            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
-            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
-            lowered_chosen_sign_d1 <= lowered_chosen_copy6[23];
-            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
-            a_x_joined_d2 <= a_x_joined_d1;
-            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
-            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[23];
-            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
-            a_y_joined_d2 <= a_y_joined_d1;
-            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
-            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[23];
-            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
-            alpha_joined_d2 <= alpha_joined_d1;
-            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
-            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[23];
-            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
-            b_x_joined_d2 <= b_x_joined_d1;
-            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
-            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[23];
-            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
-            b_y_joined_d2 <= b_y_joined_d1;
-            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
             lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[23];
-            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
-            beta_joined_d2 <= beta_joined_d1;
-            e_d1 <= add_f24_ftz_unit_y;
             sight_disc_out_d12 <= sight_disc_out_d11;
             sight_disc_out_d13 <= sight_disc_out_d12;
             sight_disc_out_d14 <= sight_disc_out_d13;
             sight_disc_out_d15 <= sight_disc_out_d14;
             sight_disc_out_d16 <= sight_disc_out_d15;
-            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy5_y[23], first_x_chosen_copy6};
-            first_x_chosen_d1 <= first_x_chosen_copy8;
-            first_x_chosen_d2 <= first_x_chosen_d1;
-            first_x_chosen_d3 <= first_x_chosen_d2;
-            last_x_chosen_d1 <= last_x_chosen_copy2;
-            last_x_chosen_d2 <= last_x_chosen_d1;
-            last_x_chosen_d3 <= last_x_chosen_d2;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
-            last_x_d3 <= last_x_d2;
-            last_x_d4 <= last_x_d3;
-            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy4_y;
-            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy7_y[23], first_y_chosen_copy6};
-            first_y_chosen_d1 <= first_y_chosen_copy8;
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            first_y_chosen_d3 <= first_y_chosen_d2;
-            first_y_chosen_d4 <= first_y_chosen_d3;
-            last_y_chosen_d1 <= last_y_chosen_copy2;
-            last_y_chosen_d2 <= last_y_chosen_d1;
-            last_y_chosen_d3 <= last_y_chosen_d2;
-            last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
             unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
             unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
             unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
             unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
-            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
-            mx_sum_d1 <= mx_sum;
-            mx_sum_d1_copy2 <= mx_sum_copy2;
-            largest_sum_d1 <= largest_sum;
-            largest_sum_d2 <= largest_sum_d1;
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_greater_d1 <= largest_greater;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
-            delta_sum_d1 <= delta_sum;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy7_y[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_copy7_y[23];
-            edge_on_lesser_d1 <= edge_on_lesser;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy8_y;
-            first_sum_chosen_d1 <= first_sum_chosen;
-            first_sum_sum_d1_copy4 <= first_sum_sum;
-            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
-            visible_in_order_d1 <= visible_in_order;
-            last_difference_out_d1 <= last_difference[9:0];
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            sight_negative_out_d13 <= sight_negative_out_d12;
         end
-        if (load_7) begin
+        if (phases_1[7]) begin
             lowered_greater_d1 <= lowered_greater;
             lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
             a_x_inverted_d1 <= a_x_inverted;
@@ -8346,37 +9957,29 @@ module splat_setup (
             lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
             beta_inverted_d1 <= beta_inverted;
             lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
-            q_d1 <= add_f24_ftz_unit_y;
-            q_d2 <= q_d1;
-            q_d3 <= q_d2;
-            q_d4 <= q_d3;
-            q_d5 <= q_d4;
-            f_d1 <= recip_f24_ftz_unit_y;
-            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
             before_far_in_order_d1 <= le_f24_ftz_unit_y;
             before_far_in_order_d2 <= before_far_in_order_d1;
-            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
-            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            m_exponent_d1 <= m_exponent;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
             edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
             edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
             unit_delta_product_bits_d1 <= mul_f24_ftz_unit_copy2_y[22:15];
-            first_sum_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_difference_sum_d1 <= add_f24_ftz_unit_copy7_y;
-            last_sum_chosen_d1 <= last_sum_chosen;
-            last_sum_sum_d1_copy2 <= last_sum_sum;
-            first_difference_chosen_d1 <= first_difference_chosen;
-            first_sum_difference_d1 <= first_sum_difference;
-            visible_both_d1_copy2 <= visible_both_copy3;
-            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy5_y;
         end
-        if (load_1) begin
+        if (phases_3[6]) begin
+            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
+            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
+            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
+            a_x_joined_d2 <= a_x_joined_d1;
+            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy7_y[23];
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+        end
+        if (phases_1[1]) begin
             lowered_greater_d1_copy3 <= lowered_greater_copy3;
             not_turned_d1 <= not_turned;
             not_turned_d2 <= not_turned_d1;
@@ -8392,57 +9995,270 @@ module splat_setup (
             whole_d12 <= whole_d11;
             whole_d13 <= whole_d12;
             first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
-            last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
-            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
             first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
-            my_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            mx_bits_d1 <= mx_bits_d1_bits;
-            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            my_bits_d1 <= my_bits_d1_bits;
-            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
-            last_difference_sum_d1_copy2 <= last_difference_sum;
-            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
-            first_sum_greater_d1 <= first_sum_greater;
-            first_difference_difference_d1 <= first_difference_difference_copy2;
-            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy6_y;
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_low_out_d2 <= depth_low_out_d1;
-            depth_low_out_d3 <= depth_low_out_d2;
-            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy7_y;
         end
-        if (load_2) begin
+        if (phases_1[2]) begin
             lowered_greater_d1_copy4 <= lowered_greater_copy4;
             alpha_d1 <= mul_f24_ftz_unit_y;
             alpha_d2 <= alpha_d1;
             alpha_d3 <= alpha_d2;
             beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_beta_bits_d3 <= not_zero_is_beta_bits_d2;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+            not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
+        end
+        if (phases_4[6]) begin
+            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
+            a_y_joined_d2 <= a_y_joined_d1;
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
+            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
+            alpha_joined_d2 <= alpha_joined_d1;
+            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
+            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
+            visible_in_order_d1 <= visible_in_order;
+        end
+        if (phases_5[6]) begin
+            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
+            b_x_joined_d2 <= b_x_joined_d1;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
+            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
+            b_y_joined_d2 <= b_y_joined_d1;
+            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            sight_negative_out_d13 <= sight_negative_out_d12;
+        end
+        if (phases_6[6]) begin
+            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
+            beta_joined_d2 <= beta_joined_d1;
+            e_d1 <= add_f24_ftz_unit_y;
+            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy5_y[23], first_x_chosen_copy6};
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+        end
+        if (phases_3[4]) begin
+            r_d1 <= recip_f24_ftz_unit_y;
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            b_depth_d4 <= b_depth_d3;
+        end
+        if (phases_2[2]) begin
             beta_d2 <= beta_d1;
             beta_d3 <= beta_d2;
             a_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy4_y;
             b_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
             t_x_sum_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (phases_2[7]) begin
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            q_d5 <= q_d4;
+            visible_both_d1_copy2 <= visible_both_copy3;
+        end
+        if (phases_3[7]) begin
+            f_d1 <= recip_f24_ftz_unit_y;
+            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
+            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+        end
+        if (phases_4[4]) begin
+            b_depth_d5 <= b_depth_d4;
+            b_depth_d6 <= b_depth_d5;
+            b_depth_d7 <= b_depth_d6;
+            spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
+            spread_half_d2 <= spread_half_d1;
+        end
+        if (phases_2[3]) begin
+            center_depth_d8 <= delay_7_from_3_out;
+            center_depth_d9 <= center_depth_d8;
+            spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
+            spread_middle_d2 <= spread_middle_d1;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy4_y;
+            ax_out_chosen_d1 <= ax_out_chosen[7:0];
+        end
+        if (phases_5[4]) begin
+            spread_half_d3 <= spread_half_d2;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
+            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+        end
+        if (phases_3[5]) begin
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            middle_depth_d3 <= middle_depth_d2;
+            half_depth_d1 <= half_depth;
+            epsilon_d1 <= add_f24_ftz_unit_copy3_y;
+            a_x_sign_d2 <= a_x_sign_d1;
+            a_x_sign_d3 <= a_x_sign_d2;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
+            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
+        end
+        if (phases_4[5]) begin
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            a_y_sign_d1 <= mul_f24_ftz_unit_copy5_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            a_y_sign_d3 <= a_y_sign_d2;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
+            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+        end
+        if (phases_7[0]) begin
+            center_x_d7 <= center_x_d6;
+            center_x_d8 <= center_x_d7;
+            center_x_d9 <= center_x_d8;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy3_y;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+        end
+        if (phases_3[2]) begin
             t_x_sum_d2 <= t_x_sum_d1;
             a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy3_y;
             a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
             v_y_d1 <= mul_f24_ftz_unit_copy6_y;
             a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
+        end
+        if (phases_5[5]) begin
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy7_y;
+            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
+            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f24_ftz_unit_copy5_y;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            b_x_sign_d3 <= b_x_sign_d2;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
+            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
+        end
+        if (phases_7[6]) begin
+            first_x_chosen_d1 <= first_x_chosen_copy8;
+            first_x_chosen_d2 <= first_x_chosen_d1;
+            first_x_chosen_d3 <= first_x_chosen_d2;
+            last_x_chosen_d1 <= last_x_chosen_copy2;
+            last_x_chosen_d2 <= last_x_chosen_d1;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+        end
+        if (phases_8[6]) begin
+            last_x_chosen_d3 <= last_x_chosen_d2;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            last_x_d3 <= last_x_d2;
+            last_x_d4 <= last_x_d3;
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy4_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+        end
+        if (phases_2[1]) begin
+            last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
+            my_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
+        end
+        if (phases_6[4]) begin
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
+            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
+        end
+        if (phases_2[0]) begin
+            first_x_d2 <= first_x_d1;
+            mx_both_d1_copy2 <= mx_both_copy2;
+        end
+        if (phases_4[2]) begin
             b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy8_y;
             t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
             t_y_sum_d2 <= t_y_sum_d1;
             a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy5_y;
             a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
+        end
+        if (phases_6[5]) begin
+            b_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            t_y_d1 <= mul_f24_ftz_unit_copy7_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy8_y;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_d3 <= a_x_bits_d2;
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
+        end
+        if (phases_8[0]) begin
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy4_y;
+            center_y_d2 <= center_y_d1_copy2;
+            center_y_d3 <= center_y_d2;
+            center_y_d4 <= center_y_d3;
+            center_y_d5 <= center_y_d4;
+        end
+        if (phases_9[0]) begin
+            center_y_d6 <= center_y_d5;
+            center_y_d7 <= center_y_d6;
+            center_y_d8 <= center_y_d7;
+            center_y_d9 <= center_y_d8;
+            center_y_d10 <= center_y_d9;
+        end
+        if (phases_9[6]) begin
+            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy7_y[23], first_y_chosen_copy6};
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+        end
+        if (phases_10[6]) begin
+            first_y_chosen_d4 <= first_y_chosen_d3;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
+            last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
+        end
+        if (phases_10[0]) begin
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy6_y;
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
+            first_y_d3 <= first_y_d2;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
+            mx_product_minus_mx_product_d1 <= add_f24_ftz_unit_copy7_y;
+        end
+        if (phases_7[4]) begin
+            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
+            ax_out_joined_d1 <= {a_x_sign_d3, ax_out_chosen_copy2};
+            ay_out_joined_d1 <= {a_y_sign_d3, ay_out_chosen_copy2};
+            delta_d1 <= delta;
+            last_sum_sum_d1 <= add_f24_ftz_unit_copy4_y;
+        end
+        if (phases_5[2]) begin
             last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
             beta_bits_d1 <= b_x_bits_d1_bits;
             beta_bits_d2 <= beta_bits_d1;
@@ -8450,209 +10266,378 @@ module splat_setup (
             alpha_bits_d1 <= a_x_bits_d1_bits;
             alpha_bits_d2 <= alpha_bits_d1;
             alpha_bits_d3 <= alpha_bits_d2;
-            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
-            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
-            not_zero_is_beta_bits_d3 <= not_zero_is_beta_bits_d2;
-            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
-            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
-            not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
             largest_d1 <= largest;
             first_sum_sum_d1_copy2 <= add_f24_ftz_unit_copy7_y;
+        end
+        if (phases_11[6]) begin
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            largest_sum_d1 <= largest_sum;
+            largest_sum_d2 <= largest_sum_d1;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_greater_d1 <= largest_greater;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+        end
+        if (phases_7[5]) begin
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_y_bits_d3 <= a_y_bits_d2;
+            a_exponent_d1 <= a_exponent;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_x_bits_d3 <= b_x_bits_d2;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
+            b_y_bits_d3 <= b_y_bits_d2;
+            b_exponent_d1 <= b_exponent;
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+        end
+        if (phases_8[5]) begin
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+        end
+        if (phases_4[7]) begin
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            m_exponent_d1 <= m_exponent;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+        end
+        if (phases_9[5]) begin
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
+            first_difference_d1 <= first_difference;
+        end
+        if (phases_3[1]) begin
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            mx_bits_d1 <= mx_bits_d1_bits;
+            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+        end
+        if (phases_11[0]) begin
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            largest_sum_d1_copy2 <= largest_sum_copy3;
+            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
+            largest_sum_d3 <= largest_sum_d2_copy2;
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            mx_sum_d2 <= mx_sum_d1_copy3;
+            mx_sum_d3 <= mx_sum_d2;
+            first_difference_sum_d1_copy3 <= first_difference_sum;
+        end
+        if (phases_12[6]) begin
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            delta_sum_d1 <= delta_sum;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy7_y[14:0];
+            edge_on_lesser_d1 <= edge_on_lesser;
+            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy8_y;
+            first_sum_chosen_d1 <= first_sum_chosen;
+            first_sum_sum_d1_copy4 <= first_sum_sum;
+        end
+        if (phases_3[3]) begin
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            ay_out_chosen_d1 <= ay_out_chosen[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_chosen_d1 <= bx_out_chosen[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            by_out_both_d1 <= by_out_both;
+            by_out_chosen_d1 <= by_out_chosen[7:0];
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_both_d1 <= my_both;
+            my_chosen_d1 <= my_chosen[7:0];
+            first_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+        end
+        if (phases_4[3]) begin
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy7_y;
+            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            last_sum_out_d1 <= last_sum[9:0];
+        end
+        if (phases_5[7]) begin
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy7_y;
+            last_sum_chosen_d1 <= last_sum_chosen;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_difference_chosen_d1 <= first_difference_chosen;
+        end
+        if (phases_6[2]) begin
             root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
             first_sum_d1 <= first_sum;
             last_sum_lesser_d1 <= last_sum_lesser;
             first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+        end
+        if (phases_8[4]) begin
+            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy5_y;
+            last_difference_sum_d1 <= add_f24_ftz_unit_copy6_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_greater_d1 <= first_difference_greater;
+        end
+        if (phases_12[0]) begin
+            last_difference_chosen_d1 <= last_difference_chosen;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
+        end
+        if (phases_6[7]) begin
+            first_sum_difference_d1 <= first_sum_difference;
+            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy5_y;
+        end
+        if (phases_4[1]) begin
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy6_y;
+        end
+        if (phases_7[2]) begin
             last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
             depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_high_out_d2 <= depth_high_out_d1;
             depth_high_out_d3 <= depth_high_out_d2;
         end
-        if (queue_in_ready) begin
-            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_a_choice_3;
-            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
-            max_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? 24'd0 : first_sum_product_d1) : max_f24_ftz_unit_copy2_a_choice;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_3;
-            lt_f24_ftz_unit_a <= phase[2] ? lt_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? center_z_d1 : near_plane) : near_plane;
-            lt_f24_ftz_unit_b <= phase[2] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
-            lt_f24_ftz_unit_copy2_a <= phase[2] ? lt_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_bits;
-            lt_f24_ftz_unit_copy2_b <= phase[2] ? lt_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_bits;
-            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_4;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_5;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
-            add_f24_ftz_unit_copy6_a <= phase[2] ? add_f24_ftz_unit_copy6_a_choice : add_f24_ftz_unit_copy6_a_choice_2;
-            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice_3 : add_f24_ftz_unit_copy6_b_choice_5;
-            add_f24_ftz_unit_copy7_a <= phase[2] ? add_f24_ftz_unit_copy7_a_choice : add_f24_ftz_unit_copy7_a_choice_2;
-            add_f24_ftz_unit_copy7_b <= phase[2] ? add_f24_ftz_unit_copy7_b_choice : add_f24_ftz_unit_copy7_b_choice_3;
-            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
-            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_3;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice_2 : mul_f24_ftz_unit_copy5_b_choice_3;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_2;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice_2 : mul_f24_ftz_unit_copy6_b_choice_3;
-            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : mul_f24_ftz_unit_copy7_a_choice_2;
-            mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : mul_f24_ftz_unit_copy7_b_choice_2;
-            mul_f24_ftz_unit_copy8_a <= phase[2] ? mul_f24_ftz_unit_copy8_a_choice : phase[1] ? 24'h3f8008 : f_d1;
-            mul_f24_ftz_unit_copy8_b <= phase[2] ? mul_f24_ftz_unit_copy8_b_choice : phase[1] ? add_f24_ftz_unit_copy6_y : first_sum_sum_d2;
-            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : sqrt_f24_ftz_unit_a_choice_2;
-            le_f24_ftz_unit_a <= phase[2] ? depth_b : le_f24_ftz_unit_a_choice;
-            le_f24_ftz_unit_b <= phase[2] ? before_far_joined_d1 : le_f24_ftz_unit_b_choice;
-            min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
-            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
-            min_f24_ftz_unit_copy2_a <= phase[2] ? 24'h45fff8 : 24'h470000;
-            min_f24_ftz_unit_copy2_b <= phase[2] ? last_y_chosen_d1_copy3 : min_f24_ftz_unit_copy2_b_choice;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : to_fixed_f24_ftz_u21q8_unit_a_choice_2;
-            to_fixed_f24_ftz_u23q8_unit_a <= phase[2] ? min_f24_ftz_unit_copy2_y : min_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s22q8_unit_a <= phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s22q8_unit_a_choice;
-            to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
+        if (phases_10[5]) last_difference_lesser_d1 <= last_difference_lesser;
+        if (phases_13[6]) last_difference_out_d1 <= last_difference[9:0];
+        if (phases_9[4]) begin
+            ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
+            ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
         end
+        if (phases_5[1]) begin
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
+            depth_low_out_d3 <= depth_low_out_d2;
+            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy7_y;
+        end
+        max_f24_ftz_unit_a <= max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
+        max_f24_ftz_unit_b <= max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_6;
+        max_f24_ftz_unit_copy2_a <= max_f24_ftz_unit_copy2_phase[2] ? max_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_choice_4;
+        max_f24_ftz_unit_copy2_b <= max_f24_ftz_unit_copy2_phase_copy2[2] ? max_f24_ftz_unit_copy2_b_choice_3 : max_f24_ftz_unit_copy2_b_choice_6;
+        lt_f24_ftz_unit_a <= lt_f24_ftz_unit_phase[2] ? lt_f24_ftz_unit_a_choice : lt_f24_ftz_unit_a_choice_2;
+        lt_f24_ftz_unit_b <= lt_f24_ftz_unit_phase_copy2[2] ? lt_f24_ftz_unit_b_choice_3 : lt_f24_ftz_unit_b_choice_5;
+        lt_f24_ftz_unit_copy2_a <= lt_f24_ftz_unit_copy2_phase[2] ? lt_f24_ftz_unit_copy2_a_choice_3 : max_f24_ftz_unit_copy2_a_bits;
+        lt_f24_ftz_unit_copy2_b <= lt_f24_ftz_unit_copy2_phase[2] ? lt_f24_ftz_unit_copy2_b_choice_3 : max_f24_ftz_unit_copy2_b_bits;
+        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_3;
+        add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
+        add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
+        add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
+        add_f24_ftz_unit_copy3_a <= add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_3 : add_f24_ftz_unit_copy3_a_choice_6;
+        add_f24_ftz_unit_copy3_b <= add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_6;
+        add_f24_ftz_unit_copy4_a <= add_f24_ftz_unit_copy4_phase[2] ? add_f24_ftz_unit_copy4_a_choice_3 : add_f24_ftz_unit_copy4_a_choice_6;
+        add_f24_ftz_unit_copy4_b <= add_f24_ftz_unit_copy4_phase_copy2[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_6;
+        add_f24_ftz_unit_copy5_a <= add_f24_ftz_unit_copy5_phase[2] ? add_f24_ftz_unit_copy5_a_choice_3 : add_f24_ftz_unit_copy5_a_choice_6;
+        add_f24_ftz_unit_copy5_b <= add_f24_ftz_unit_copy5_phase_copy2[2] ? add_f24_ftz_unit_copy5_b_choice_3 : add_f24_ftz_unit_copy5_b_choice_6;
+        add_f24_ftz_unit_copy6_a <= add_f24_ftz_unit_copy6_phase[2] ? add_f24_ftz_unit_copy6_a_choice_2 : add_f24_ftz_unit_copy6_a_choice_5;
+        add_f24_ftz_unit_copy6_b <= add_f24_ftz_unit_copy6_phase_copy2[2] ? add_f24_ftz_unit_copy6_b_choice_3 : add_f24_ftz_unit_copy6_b_choice_6;
+        add_f24_ftz_unit_copy7_a <= add_f24_ftz_unit_copy7_phase[2] ? add_f24_ftz_unit_copy7_a_choice_2 : add_f24_ftz_unit_copy7_a_choice_5;
+        add_f24_ftz_unit_copy7_b <= add_f24_ftz_unit_copy7_phase_copy2[2] ? add_f24_ftz_unit_copy7_b_choice_2 : add_f24_ftz_unit_copy7_b_choice_5;
+        recip_f24_ftz_unit_a <= recip_f24_ftz_unit_phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
+        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_3;
+        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
+        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_3;
+        mul_f24_ftz_unit_copy2_b <= mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
+        mul_f24_ftz_unit_copy3_a <= mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_6;
+        mul_f24_ftz_unit_copy3_b <= mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_b_choice_3 : mul_f24_ftz_unit_copy3_b_choice_6;
+        mul_f24_ftz_unit_copy4_a <= mul_f24_ftz_unit_copy4_phase[2] ? mul_f24_ftz_unit_copy4_a_choice_2 : mul_f24_ftz_unit_copy4_a_choice_4;
+        mul_f24_ftz_unit_copy4_b <= mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_b_choice_3 : mul_f24_ftz_unit_copy4_b_choice_5;
+        mul_f24_ftz_unit_copy5_a <= mul_f24_ftz_unit_copy5_phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
+        mul_f24_ftz_unit_copy5_b <= mul_f24_ftz_unit_copy5_phase_copy2[2] ? mul_f24_ftz_unit_copy5_b_choice_3 : mul_f24_ftz_unit_copy5_b_choice_6;
+        mul_f24_ftz_unit_copy6_a <= mul_f24_ftz_unit_copy6_phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_3;
+        mul_f24_ftz_unit_copy6_b <= mul_f24_ftz_unit_copy6_phase_copy2[2] ? mul_f24_ftz_unit_copy6_b_choice_3 : mul_f24_ftz_unit_copy6_b_choice_5;
+        mul_f24_ftz_unit_copy7_a <= mul_f24_ftz_unit_copy7_phase[2] ? mul_f24_ftz_unit_copy7_a_choice_2 : mul_f24_ftz_unit_copy7_a_choice_4;
+        mul_f24_ftz_unit_copy7_b <= mul_f24_ftz_unit_copy7_phase_copy2[2] ? mul_f24_ftz_unit_copy7_b_choice_2 : mul_f24_ftz_unit_copy7_b_choice_4;
+        mul_f24_ftz_unit_copy8_a <= mul_f24_ftz_unit_copy8_phase[2] ? mul_f24_ftz_unit_copy8_a_choice_2 : mul_f24_ftz_unit_copy8_a_choice_3;
+        mul_f24_ftz_unit_copy8_b <= mul_f24_ftz_unit_copy8_phase_copy2[2] ? mul_f24_ftz_unit_copy8_b_choice_3 : mul_f24_ftz_unit_copy8_b_choice_4;
+        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice_2 : sqrt_f24_ftz_unit_a_choice_4;
+        le_f24_ftz_unit_a <= le_f24_ftz_unit_phase[2] ? depth_b : le_f24_ftz_unit_a_choice;
+        le_f24_ftz_unit_b <= le_f24_ftz_unit_phase[2] ? before_far_joined_d1 : le_f24_ftz_unit_b_choice;
+        min_f24_ftz_unit_a <= min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+        min_f24_ftz_unit_b <= min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_2 : min_f24_ftz_unit_b_choice_4;
+        min_f24_ftz_unit_copy2_a <= min_f24_ftz_unit_copy2_phase[2] ? min_f24_ftz_unit_copy2_a_choice_2 : min_f24_ftz_unit_copy2_a_choice_4;
+        min_f24_ftz_unit_copy2_b <= min_f24_ftz_unit_copy2_phase[2] ? last_y_chosen_d1_copy3 : min_f24_ftz_unit_copy2_b_choice;
+        to_fixed_f24_ftz_u21q8_unit_a <= to_fixed_f24_ftz_u21q8_unit_phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice_2 : to_fixed_f24_ftz_u21q8_unit_a_choice_4;
+        to_fixed_f24_ftz_u23q8_unit_a <= to_fixed_f24_ftz_u23q8_unit_phase[2] ? min_f24_ftz_unit_copy2_y : min_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s22q8_unit_a_choice_2;
+        to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_d10, add_f24_ftz_unit_y};
-        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (phases_1[0]) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {center_y_d10, add_f24_ftz_unit_y};
+        end
+        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, center_x_d9};
         end
-        if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (phases_1[0]) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
-        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        if (phases_2[0]) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
+        if (phases_2[0]) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_2[0]) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {ay_out, ax_out, last_x_chosen, first_x_chosen_copy7};
         end
-        if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        if (phases_2[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= first_sum_both;
-        if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        if (phases_1[0]) delay_14_from_0[delay_14_from_0_pointer] <= first_sum_both;
+        if (phases_1[0]) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_3[0]) begin
             delay_21_from_0[delay_21_from_0_pointer] <= {
-                in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
-                in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
-                in_attribute_1, in_attribute_0, in_end
+                in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0,
+                in_end
             };
         end
-        if (load_0) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
+        if (phases_3[0]) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_4[0]) begin
+            delay_21_from_0_copy2[delay_21_from_0_copy2_pointer] <= {in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6};
+        end
+        if (phases_4[0]) begin
+            delay_21_from_0_copy2_out <= delay_21_from_0_copy2[delay_21_from_0_copy2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_2[0]) begin
+            delay_21_from_0_copy3[delay_21_from_0_copy3_pointer] <= {in_cardinal_0, in_attribute_12};
+        end
+        if (phases_2[0]) begin
+            delay_21_from_0_copy3_out <= delay_21_from_0_copy3[delay_21_from_0_copy3_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_1[1]) begin
             delay_6_from_1[delay_6_from_1_pointer] <= {add_f24_ftz_unit_copy5_y, whole_d1};
         end
-        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
+        if (phases_1[1]) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_1[1]) begin
             delay_9_from_1[delay_9_from_1_pointer] <= {first_y_chosen_copy5, add_f24_ftz_unit_y};
         end
-        if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
+        if (phases_1[1]) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) begin
+        if (phases_1[2]) begin
             delay_11_from_2[delay_11_from_2_pointer] <= {last_y_chosen, first_y_chosen_copy7};
         end
-        if (load_2) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
+        if (phases_1[2]) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_19_from_2[delay_19_from_2_pointer] <= reaches_near;
-        if (load_2) delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
+        if (phases_1[2]) delay_19_from_2[delay_19_from_2_pointer] <= reaches_near;
+        if (phases_1[2]) delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_3) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
-        if (load_3) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
+        if (phases_1[3]) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
+        if (phases_1[3]) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
-        if (load_4) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
+        if (phases_1[4]) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
+        if (phases_1[4]) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) begin
+        if (phases_1[4]) begin
             delay_7_from_4[delay_7_from_4_pointer] <= {add_f24_ftz_unit_copy3_y, all_before_far, 1'd0, mul_f24_ftz_unit_y[22:0]};
         end
-        if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+        if (phases_1[4]) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_11_from_4[delay_11_from_4_pointer] <= delta_d1;
-        if (load_4) delay_11_from_4_out <= delay_11_from_4[delay_11_from_4_pointer];
+        if (phases_1[4]) delay_11_from_4[delay_11_from_4_pointer] <= delta_d1;
+        if (phases_1[4]) delay_11_from_4_out <= delay_11_from_4[delay_11_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) begin
+        if (phases_2[4]) begin
             delay_12_from_4[delay_12_from_4_pointer] <= {my, mx, b_y_sign_d3, by_out_chosen_copy2, b_x_sign_d3, bx_out_chosen_copy2};
         end
-        if (load_4) delay_12_from_4_out <= delay_12_from_4[delay_12_from_4_pointer];
+        if (phases_2[4]) delay_12_from_4_out <= delay_12_from_4[delay_12_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= reaches_near_sum_d1_copy2;
-        if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
+        if (phases_1[5]) delay_5_from_5[delay_5_from_5_pointer] <= reaches_near_sum_d1_copy2;
+        if (phases_1[5]) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_7_from_5[delay_7_from_5_pointer] <= beyond_near_and_not_turned_d5;
-        if (load_5) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
+        if (phases_1[5]) delay_7_from_5[delay_7_from_5_pointer] <= beyond_near_and_not_turned_d5;
+        if (phases_1[5]) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_8_from_5[delay_8_from_5_pointer] <= beyond_near;
-        if (load_5) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
+        if (phases_1[5]) delay_8_from_5[delay_8_from_5_pointer] <= beyond_near;
+        if (phases_1[5]) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
+        if (phases_1[5]) begin
             delay_14_from_5[delay_14_from_5_pointer] <= {first_difference_difference, first_sum_sum_copy2};
         end
-        if (load_5) delay_14_from_5_out <= delay_14_from_5[delay_14_from_5_pointer];
+        if (phases_1[5]) delay_14_from_5_out <= delay_14_from_5[delay_14_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_8_from_6[delay_8_from_6_pointer] <= turned_and_lowered_chosen_sign;
-        if (load_6) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
+        if (phases_1[6]) delay_8_from_6[delay_8_from_6_pointer] <= turned_and_lowered_chosen_sign;
+        if (phases_1[6]) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_9_from_6[delay_9_from_6_pointer] <= turned_d1;
-        if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
+        if (phases_1[6]) delay_9_from_6[delay_9_from_6_pointer] <= turned_d1;
+        if (phases_1[6]) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
+        if (phases_1[6]) begin
             delay_11_from_6[delay_11_from_6_pointer] <= {sight_disc_out, delay_9_from_6_out};
         end
-        if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
+        if (phases_1[6]) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= {sight_negative_out, before_far};
-        if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
+        if (phases_1[6]) begin
+            delay_12_from_6[delay_12_from_6_pointer] <= {sight_negative_out, before_far};
+        end
+        if (phases_1[6]) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_20_from_6[delay_20_from_6_pointer] <= visible_unequal_copy2;
-        if (load_6) delay_20_from_6_out <= delay_20_from_6[delay_20_from_6_pointer];
+        if (phases_1[6]) delay_20_from_6[delay_20_from_6_pointer] <= visible_unequal_copy2;
+        if (phases_1[6]) delay_20_from_6_out <= delay_20_from_6[delay_20_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= half_depth_chosen;
-        if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
+        if (phases_1[7]) delay_9_from_7[delay_9_from_7_pointer] <= half_depth_chosen;
+        if (phases_1[7]) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) begin
+        if (phases_1[7]) begin
             delay_10_from_7[delay_10_from_7_pointer] <= {mul_f24_ftz_unit_copy7_y[22:0], mul_f24_ftz_unit_copy6_y[22:0]};
         end
-        if (load_7) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
+        if (phases_1[7]) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) delay_13_from_7[delay_13_from_7_pointer] <= edge_on;
-        if (load_7) delay_13_from_7_out <= delay_13_from_7[delay_13_from_7_pointer];
+        if (phases_1[7]) delay_13_from_7[delay_13_from_7_pointer] <= edge_on;
+        if (phases_1[7]) delay_13_from_7_out <= delay_13_from_7[delay_13_from_7_pointer];
     end
 
     wire _unused = &{
@@ -8661,46 +10646,463 @@ module splat_setup (
         by_out_chosen[10:8], delta_chosen[10:8], first_difference_sum_copy2[7:0], first_sum_sum_copy3[7:0],
         first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8], last_difference_sum_copy3[7:0],
         last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
-        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8],
-        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
-        unit_delta_chosen_copy7[10:8]
+        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], queue_1_in_ready, queue_2_in_ready,
+        queue_2_out_valid, queue_3_in_ready, queue_3_out_valid, queue_4_in_ready, queue_4_out_valid,
+        queue_5_in_ready, queue_5_out_valid, queue_6_in_ready, queue_6_out_valid,
+        reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8],
+        unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
     };
+
+`ifdef RTL_ASSERT
+    reg [2:0] to_fixed_f24_ftz_u24q24_unit_phase;
+
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
+    wire check_both_3 = check_both_2 & (phases_8 == phases_1) & (phases_9 == phases_1) & (phases_10 == phases_1);
+    wire check_both_4 = check_both_3 & (phases_11 == phases_1) & (phases_12 == phases_1) & (phases_13 == phases_1);
+    wire check_both_5 = check_both_4 & ((max_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((max_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((max_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((max_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((lt_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((lt_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((add_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((add_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_15 = check_both_14 & ((add_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_16 = check_both_15 & ((add_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_17 = check_both_16 & ((add_f24_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
+    wire check_both_18 = check_both_17 & ((add_f24_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_19 = check_both_18 & ((add_f24_ftz_unit_copy6_phase == 3'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((add_f24_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((add_f24_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((add_f24_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((recip_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_25 = check_both_24 & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_26 = check_both_25 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_27 = check_both_26 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_28 = check_both_27 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_29 = check_both_28 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_30 = check_both_29 & ((mul_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_31 = check_both_30 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_32 = check_both_31 & ((mul_f24_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
+    wire check_both_33 = check_both_32 & ((mul_f24_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_34 = check_both_33 & ((mul_f24_ftz_unit_copy6_phase == 3'd0) == phases_1[0]);
+    wire check_both_35 = check_both_34 & ((mul_f24_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_36 = check_both_35 & ((mul_f24_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
+    wire check_both_37 = check_both_36 & ((mul_f24_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_38 = check_both_37 & ((mul_f24_ftz_unit_copy8_phase == 3'd0) == phases_1[0]);
+    wire check_both_39 = check_both_38 & ((mul_f24_ftz_unit_copy8_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_40 = check_both_39 & ((sqrt_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_41 = check_both_40 & ((le_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((min_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_42 = check_both_41 & ((min_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_43 = check_both_42 & ((min_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_44 = check_both_43 & ((to_fixed_f24_ftz_u21q8_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_45 = check_both_44 & ((to_fixed_f24_ftz_u23q8_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_46 = check_both_45 & ((to_fixed_f24_ftz_s22q8_unit_phase == 3'd0) == phases_1[0]);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            to_fixed_f24_ftz_u24q24_unit_phase <= 3'd0;
+        end else begin
+            to_fixed_f24_ftz_u24q24_unit_phase <= (to_fixed_f24_ftz_u24q24_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u24q24_unit_phase - 3'd7) : (to_fixed_f24_ftz_u24q24_unit_phase + 3'd1);
+        end
+    end
+
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
+        queue_5_has_a_place_for_each_result: assert (~kept | queue_5_in_ready);
+        queue_6_has_a_place_for_each_result: assert (~kept | queue_6_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        queue_4_in_step: assert (queue_4_out_valid == out_valid);
+        queue_5_in_step: assert (queue_5_out_valid == out_valid);
+        queue_6_in_step: assert (queue_6_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_46 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]));
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_4_in_ready)) begin
+            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_5_in_ready)) begin
+            $display("assertion failed: queue_5_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_6_in_ready)) begin
+            $display("assertion failed: queue_6_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+        if (!(queue_4_out_valid == out_valid)) begin
+            $display("assertion failed: queue_4_in_step in %m"); $stop;
+        end
+        if (!(queue_5_out_valid == out_valid)) begin
+            $display("assertion failed: queue_5_in_step in %m"); $stop;
+        end
+        if (!(queue_6_out_valid == out_valid)) begin
+            $display("assertion failed: queue_6_in_step in %m"); $stop;
+        end
+        if (!(check_both_46 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 30
+// storage = distributed
+module stream_fifo_d22_w30_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [29:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [29:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [29:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [29:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 126
+// storage = distributed
+module stream_fifo_d22_w126_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [125:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [125:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [125:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [125:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
-        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 128
+// storage = distributed
+module stream_fifo_d22_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
-        if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 113
+// storage = distributed
+module stream_fifo_d22_w113_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [112:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [112:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [112:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [112:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
-        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 120
+// storage = distributed
+module stream_fifo_d22_w120_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [119:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [119:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [119:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 22
+// width = 121
+// storage = distributed
+module stream_fifo_d22_w121_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [120:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [120:0] entries [0:21];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [120:0] item;
+
+    wire has_room = ~(held == 5'd22);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd22);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -9499,49 +11901,6 @@ module float_recip_s20_f24ftz (
     };
 endmodule
 
-// Queue of two in registers.
-// width = 638
-module stream_skid_w638 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [637:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [637:0] out_data
-);
-    reg second_valid;
-    reg [637:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // World space to camera space.
 // latency = 36
 // initiation_interval = 8
@@ -9613,19 +11972,23 @@ module splat_transform (
 );
     (* ram_style = "distributed" *)
     reg [16:0] delay_5_from_0 [0:3];
-    reg [2:0] phase;
-    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
+    reg [3:0] credits;
+    reg [7:0] phases_1;
     reg [1:0] delay_5_from_0_pointer;
     reg [16:0] delay_5_from_0_out;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
+    reg [7:0] phases_2;
     reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
     reg [15:0] attribute_12_d1;
+    reg [7:0] phases_3;
     reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, u_x_sum_d1, m12_times_center_z_d1;
-    reg [23:0] u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
-    reg [23:0] m00_times_tangent1_x_d1, m02_times_tangent1_z_d1, v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1;
-    reg [23:0] v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
-    reg [23:0] m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_x_d2, v2_y_sum_d1;
-    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
+    reg [23:0] u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2;
+    reg [7:0] phases_4;
+    reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, m00_times_tangent1_x_d1, m02_times_tangent1_z_d1;
+    reg [23:0] v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1, v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1;
+    reg [7:0] phases_5;
+    reg [23:0] tangent2_y_d1, tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_x_d2;
+    reg [23:0] v2_y_sum_d1, m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
     reg near_plane_below_u_z_d1;
     reg [23:0] kept_joined_d1;
     reg kept_greater_bits_is_zero_d1;
@@ -9634,6 +11997,7 @@ module splat_transform (
     reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1, attribute_0_out_d2, attribute_0_out_d3;
     reg [15:0] attribute_0_out_d4;
     reg attribute_1_bits_is_31_d1;
+    reg [7:0] phases_6;
     reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1, attribute_1_out_d2, attribute_1_out_d3;
     reg [15:0] attribute_1_out_d4;
     reg attribute_2_bits_is_31_d1;
@@ -9658,6 +12022,7 @@ module splat_transform (
     reg [15:0] attribute_8_out_chosen_d1, attribute_8_out_d1, attribute_8_out_d2, attribute_8_out_d3;
     reg [15:0] attribute_8_out_d4;
     reg attribute_9_bits_is_31_d1;
+    reg [7:0] phases_7;
     reg [15:0] attribute_9_out_chosen_d1, attribute_9_out_d1, attribute_9_out_d2, attribute_9_out_d3;
     reg [15:0] attribute_9_out_d4;
     reg attribute_10_bits_is_31_d1;
@@ -9669,29 +12034,60 @@ module splat_transform (
     reg attribute_12_bits_is_31_d1;
     reg [15:0] attribute_12_out_chosen_d1, attribute_12_out_d1, attribute_12_out_d2, attribute_12_out_d3;
     reg [15:0] attribute_12_out_d4;
-    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b, lt_f24_ftz_unit_a;
-    reg [23:0] lt_f24_ftz_unit_b;
+    reg [2:0] mul_f24_ftz_unit_phase;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [2:0] mul_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [2:0] mul_f24_ftz_unit_copy2_phase;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [2:0] mul_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [2:0] mul_f24_ftz_unit_copy3_phase;
+    reg [23:0] mul_f24_ftz_unit_copy3_a;
+    reg [2:0] mul_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy3_b;
+    reg [2:0] mul_f24_ftz_unit_copy4_phase;
+    reg [23:0] mul_f24_ftz_unit_copy4_a;
+    reg [2:0] mul_f24_ftz_unit_copy4_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy4_b;
+    reg [2:0] add_f24_ftz_unit_phase;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [2:0] add_f24_ftz_unit_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [2:0] add_f24_ftz_unit_copy2_phase;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [2:0] add_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
+    reg [2:0] add_f24_ftz_unit_copy3_phase;
+    reg [23:0] add_f24_ftz_unit_copy3_a;
+    reg [2:0] add_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy3_b;
+    reg [2:0] lt_f24_ftz_unit_phase;
+    reg [23:0] lt_f24_ftz_unit_a, lt_f24_ftz_unit_b;
     reg [4:0] in_flight;
+    reg left, dropped;
 
-    wire queue_in_ready;
-    wire [440:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
     wire [23:0] max_f24_ftz_unit_y;
+    wire queue_1_in_ready;
+    wire [120:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [127:0] queue_3_out_data;
+    wire queue_4_in_ready, queue_4_out_valid;
+    wire [63:0] queue_4_out_data;
 
+    assign in_ready = ~credits[3] & phases_1[0];
+    wire in_flight_4_and_phases_7_4 = in_flight[4] & phases_7[4];
     wire end_d5 = delay_5_from_0_out[0];
     wire kept_either = near_plane_below_u_z_d1 | lt_f24_ftz_unit_y;
     wire end_or_kept_either = end_d5 | kept_either;
-    wire phase_is_4 = phase == 3'd4;
-    wire queue_in_valid_both = in_flight[4] & end_or_kept_either & phase_is_4;
+    wire kept = in_flight_4_and_phases_7_4 & end_or_kept_either;
     wire [15:0] cardinal_0_d5 = delay_5_from_0_out[16:1];
-    wire phase_is_7 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire kept_greater_bits_is_255 = max_f24_ftz_unit_y[22:15] == 8'd255;
     wire [7:0] kept_greater_bits_plus_1 = max_f24_ftz_unit_y[22:15] + 8'd1;
     wire [7:0] kept_chosen = kept_greater_bits_is_255 ? max_f24_ftz_unit_y[22:15] : kept_greater_bits_plus_1;
@@ -9751,130 +12147,219 @@ module splat_transform (
     wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
     wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
     wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[0] ? m02 : m00;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? center_z_d1 : tangent1_z_d1) : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? center_z_d1 : center_x_d1) : phase[0] ? tangent2_x_d1 : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent2_y_d1 : tangent1_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? tangent1_z_d1 : tangent2_z_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? center_z_d1 : center_y_d1) : phase[0] ? tangent2_y_d1 : in_center_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? tangent2_z_d1 : phase[0] ? tangent2_x_d1 : tangent1_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? tangent1_x_d1 : center_x_d1) : in_tangent1_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? tangent2_z_d1 : center_y_d1) : in_tangent1_y;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? m23 : m00_times_tangent2_x_d1) : phase[0] ? m00_times_tangent1_x_d1 : m13;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : m02_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : u_y_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? (phase[0] ? v2_y_sum_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : m12_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? m12_times_tangent2_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : m02_times_tangent1_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? m03 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? u_x_sum_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? m22_times_tangent2_z_d1 : kept_chosen_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? kept_chosen_d1 : phase[0] ? m02_times_tangent2_z_d1 : m12_times_tangent1_z_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[0] ? m02 : m00;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : tangent1_z_d1) : mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d1 : tangent2_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : center_x_d1) : mul_f24_ftz_unit_phase_copy2[0] ? tangent2_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22 : m02) : m01;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m12 : m01) : m21;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent1_z_d1 : tangent2_z_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? center_z_d1 : center_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase[1] ? (mul_f24_ftz_unit_copy3_phase[0] ? m00 : m10) : m20;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy3_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? tangent1_x_d1 : center_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice_3 : in_tangent1_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase[1] ? (mul_f24_ftz_unit_copy4_phase[0] ? m22 : m11) : m21;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? tangent2_y_d1 : mul_f24_ftz_unit_copy4_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? tangent2_z_d1 : center_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice_3 : in_tangent1_y;
+    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? m23 : m00_times_tangent2_x_d1) : add_f24_ftz_unit_phase[0] ? m00_times_tangent1_x_d1 : m13;
+    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : m02_times_center_z_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : u_y_sum_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[0] ? v2_y_sum_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : m12_times_center_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? m12_times_tangent2_z_d1 : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : m02_times_tangent1_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase[1] ? (add_f24_ftz_unit_copy3_phase[0] ? m03 : mul_f24_ftz_unit_y) : add_f24_ftz_unit_copy3_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_a_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? u_x_sum_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[0] ? m22_times_tangent2_z_d1 : kept_chosen_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[0] ? m02_times_tangent2_z_d1 : m12_times_tangent1_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[1] ? kept_chosen_d1 : add_f24_ftz_unit_copy3_b_choice_4;
+    wire [23:0] lt_f24_ftz_unit_b_choice = lt_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
 
-    assign in_ready = load_0;
+    assign {out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y} = queue_1_out_data;
+    assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
     assign {
-        out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
-        out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
-
-    stream_skid_w441 queue (
-        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
-        .in_data({
-            end_d5, u_x_d1, u_y_d1, u_z_d2, v1_x_d2, v1_y_d2, v1_z_d3, v2_x_d2, v2_y_d2, v2_z_d2,
-            attribute_0_out_d4, attribute_1_out_d4, attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4,
-            attribute_5_out_d4, attribute_6_out_d4, attribute_7_out_d4, attribute_8_out_d4, attribute_9_out_d4,
-            attribute_10_out_d4, attribute_11_out_d4, attribute_12_out_d4, cardinal_0_d5
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7,
+        out_attribute_8, out_attribute_9
+    } = queue_3_out_data;
+    assign {out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0} = queue_4_out_data;
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
-        .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b), .y(lt_f24_ftz_unit_y)
     );
 
     float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a({1'd0, v1_z_d1[22:0]}),
-        .b({1'd0, add_f24_ftz_unit_copy3_y[22:0]}), .y(max_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a({1'd0, v1_z_d1[22:0]}), .b({1'd0, add_f24_ftz_unit_copy3_y[22:0]}),
+        .y(max_f24_ftz_unit_y)
+    );
+
+    stream_fifo_d5_w121_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d5, u_x_d1, u_y_d1, u_z_d2, v1_x_d2, v1_y_d2}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d5_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({v1_z_d3, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_out_d4, attribute_1_out_d4}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d5_w128_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4, attribute_5_out_d4, attribute_6_out_d4,
+            attribute_7_out_d4, attribute_8_out_d4, attribute_9_out_d4
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
+    );
+
+    stream_fifo_d5_w64_distributed queue_4 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
+        .in_data({attribute_10_out_d4, attribute_11_out_d4, attribute_12_out_d4, cardinal_0_d5}),
+        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 3'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_5 <= 1'd0;
-            load_6 <= 1'd0;
-            load_7 <= 1'd0;
+            credits <= 4'd4;
+            phases_1 <= 8'd1;
             delay_5_from_0_pointer <= 2'd0;
+            phases_2 <= 8'd1;
+            phases_3 <= 8'd1;
+            phases_4 <= 8'd1;
+            phases_5 <= 8'd1;
+            phases_6 <= 8'd1;
+            phases_7 <= 8'd1;
+            mul_f24_ftz_unit_phase <= 3'd0;
+            mul_f24_ftz_unit_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy2_phase <= 3'd0;
+            mul_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy3_phase <= 3'd0;
+            mul_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            mul_f24_ftz_unit_copy4_phase <= 3'd0;
+            mul_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_phase <= 3'd0;
+            add_f24_ftz_unit_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy2_phase <= 3'd0;
+            add_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            add_f24_ftz_unit_copy3_phase <= 3'd0;
+            add_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            lt_f24_ftz_unit_phase <= 3'd0;
             in_flight <= 5'd0;
+            left <= 1'd0;
+            dropped <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 3'd0);
-            load_1 <= advance_next & (phase_next == 3'd1);
-            load_2 <= advance_next & (phase_next == 3'd2);
-            load_3 <= advance_next & (phase_next == 3'd3);
-            load_4 <= advance_next & (phase_next == 3'd4);
-            load_5 <= advance_next & (phase_next == 3'd5);
-            load_6 <= advance_next & (phase_next == 3'd6);
-            load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) begin
+            credits <= (credits - {3'd0, in_valid_and_in_ready}) + {3'd0, left} + {3'd0, dropped};
+            phases_1 <= {phases_1[6:0], phases_1[7]};
+            phases_2 <= {phases_2[6:0], phases_2[7]};
+            phases_3 <= {phases_3[6:0], phases_3[7]};
+            phases_4 <= {phases_4[6:0], phases_4[7]};
+            phases_5 <= {phases_5[6:0], phases_5[7]};
+            phases_6 <= {phases_6[6:0], phases_6[7]};
+            phases_7 <= {phases_7[6:0], phases_7[7]};
+            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
+            mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 3'd7) ? (mul_f24_ftz_unit_copy2_phase - 3'd7) : (mul_f24_ftz_unit_copy2_phase + 3'd1);
+            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy3_phase <= (mul_f24_ftz_unit_copy3_phase == 3'd7) ? (mul_f24_ftz_unit_copy3_phase - 3'd7) : (mul_f24_ftz_unit_copy3_phase + 3'd1);
+            mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
+            mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 3'd7) ? (mul_f24_ftz_unit_copy4_phase - 3'd7) : (mul_f24_ftz_unit_copy4_phase + 3'd1);
+            mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 3'd7) ? (add_f24_ftz_unit_phase - 3'd7) : (add_f24_ftz_unit_phase + 3'd1);
+            add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_phase_copy2 - 3'd7) : (add_f24_ftz_unit_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 3'd7) ? (add_f24_ftz_unit_copy2_phase - 3'd7) : (add_f24_ftz_unit_copy2_phase + 3'd1);
+            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            add_f24_ftz_unit_copy3_phase <= (add_f24_ftz_unit_copy3_phase == 3'd7) ? (add_f24_ftz_unit_copy3_phase - 3'd7) : (add_f24_ftz_unit_copy3_phase + 3'd1);
+            add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
+            lt_f24_ftz_unit_phase <= (lt_f24_ftz_unit_phase == 3'd7) ? (lt_f24_ftz_unit_phase - 3'd7) : (lt_f24_ftz_unit_phase + 3'd1);
+            left <= out_valid & out_ready;
+            dropped <= in_flight_4_and_phases_7_4 & ~end_or_kept_either;
+            if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                in_flight <= {in_flight[3:0], in_valid};
             end
+            if (phases_3[0]) in_flight <= {in_flight[3:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             attribute_0_d1 <= in_attribute_0;
             attribute_1_d1 <= in_attribute_1;
             attribute_2_d1 <= in_attribute_2;
             attribute_3_d1 <= in_attribute_3;
             attribute_4_d1 <= in_attribute_4;
             attribute_5_d1 <= in_attribute_5;
+            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+            attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
+            attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
+            attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
+            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
+            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
+            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
+            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
+            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
+            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
+        end
+        if (phases_2[0]) begin
             attribute_6_d1 <= in_attribute_6;
             attribute_7_d1 <= in_attribute_7;
             attribute_8_d1 <= in_attribute_8;
@@ -9882,86 +12367,67 @@ module splat_transform (
             attribute_10_d1 <= in_attribute_10;
             attribute_11_d1 <= in_attribute_11;
             attribute_12_d1 <= in_attribute_12;
+            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
+        end
+        if (phases_3[0]) begin
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
             m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
             m12_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            tangent1_x_d1 <= in_tangent1_x;
-            tangent1_y_d1 <= in_tangent1_y;
-            tangent1_z_d1 <= in_tangent1_z;
-            m00_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            tangent2_x_d1 <= in_tangent2_x;
-            tangent2_y_d1 <= in_tangent2_y;
-            tangent2_z_d1 <= in_tangent2_z;
-            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
-            v2_x_d2 <= v2_x_d1;
-            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy4_y;
-            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
-            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
-            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
-            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
-            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
-            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
-            attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
-            attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
-            attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
-            attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
-            attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
-            attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
-            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
-            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
-            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
-            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
-            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
-            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
-            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
-            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
-            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
-            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
-            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
-            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
             attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
-            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
         end
-        if (load_5) begin
+        if (phases_1[5]) begin
             u_x_sum_d1 <= add_f24_ftz_unit_y;
             u_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
             near_plane_below_u_z_d1 <= lt_f24_ftz_unit_y;
         end
-        if (load_6) begin
+        if (phases_1[6]) begin
             u_x_d1 <= add_f24_ftz_unit_copy3_y;
             kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
             kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
         end
-        if (load_7) begin
+        if (phases_1[7]) begin
             u_y_d1 <= add_f24_ftz_unit_y;
             v1_x_d1 <= add_f24_ftz_unit_copy2_y;
             v1_x_d2 <= v1_x_d1;
             v1_y_d1 <= add_f24_ftz_unit_copy3_y;
             v1_y_d2 <= v1_y_d1;
-            kept_chosen_d1 <= kept_chosen_copy3;
         end
-        if (load_2) begin
+        if (phases_1[2]) begin
             u_z_d1 <= add_f24_ftz_unit_y;
             u_z_d2 <= u_z_d1;
             m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
             v2_y_d1 <= add_f24_ftz_unit_copy2_y;
             v2_y_d2 <= v2_y_d1;
         end
-        if (load_3) begin
+        if (phases_4[0]) begin
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_z_d1 <= in_tangent1_z;
+            m00_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            tangent2_x_d1 <= in_tangent2_x;
+        end
+        if (phases_1[3]) begin
             m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
             v1_z_d1 <= add_f24_ftz_unit_copy2_y;
             v1_z_d2 <= v1_z_d1;
             v1_z_d3 <= v1_z_d2;
             m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
-        if (load_1) begin
+        if (phases_5[0]) begin
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_z_d1 <= in_tangent2_z;
+            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_x_d2 <= v2_x_d1;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy4_y;
+        end
+        if (phases_1[1]) begin
             m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
             v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
         end
-        if (load_4) begin
+        if (phases_2[3]) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
+        if (phases_1[4]) begin
             v2_z_d1 <= add_f24_ftz_unit_copy3_y;
             v2_z_d2 <= v2_z_d1;
             attribute_0_out_d1 <= attribute_0_out;
@@ -9969,6 +12435,19 @@ module splat_transform (
             attribute_0_out_d3 <= attribute_0_out_d2;
             attribute_0_out_d4 <= attribute_0_out_d3;
             attribute_1_out_d1 <= attribute_1_out;
+        end
+        if (phases_2[7]) kept_chosen_d1 <= kept_chosen_copy3;
+        if (phases_6[0]) begin
+            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
+            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
+            attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
+            attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
+            attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
+            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
+            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
+            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
+        end
+        if (phases_2[4]) begin
             attribute_1_out_d2 <= attribute_1_out_d1;
             attribute_1_out_d3 <= attribute_1_out_d2;
             attribute_1_out_d4 <= attribute_1_out_d3;
@@ -9977,6 +12456,8 @@ module splat_transform (
             attribute_2_out_d3 <= attribute_2_out_d2;
             attribute_2_out_d4 <= attribute_2_out_d3;
             attribute_3_out_d1 <= attribute_3_out;
+        end
+        if (phases_3[4]) begin
             attribute_3_out_d2 <= attribute_3_out_d1;
             attribute_3_out_d3 <= attribute_3_out_d2;
             attribute_3_out_d4 <= attribute_3_out_d3;
@@ -9985,6 +12466,8 @@ module splat_transform (
             attribute_4_out_d3 <= attribute_4_out_d2;
             attribute_4_out_d4 <= attribute_4_out_d3;
             attribute_5_out_d1 <= attribute_5_out;
+        end
+        if (phases_4[4]) begin
             attribute_5_out_d2 <= attribute_5_out_d1;
             attribute_5_out_d3 <= attribute_5_out_d2;
             attribute_5_out_d4 <= attribute_5_out_d3;
@@ -9993,6 +12476,8 @@ module splat_transform (
             attribute_6_out_d3 <= attribute_6_out_d2;
             attribute_6_out_d4 <= attribute_6_out_d3;
             attribute_7_out_d1 <= attribute_7_out;
+        end
+        if (phases_5[4]) begin
             attribute_7_out_d2 <= attribute_7_out_d1;
             attribute_7_out_d3 <= attribute_7_out_d2;
             attribute_7_out_d4 <= attribute_7_out_d3;
@@ -10001,6 +12486,14 @@ module splat_transform (
             attribute_8_out_d3 <= attribute_8_out_d2;
             attribute_8_out_d4 <= attribute_8_out_d3;
             attribute_9_out_d1 <= attribute_9_out;
+        end
+        if (phases_7[0]) begin
+            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
+            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
+            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
+            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
+        end
+        if (phases_6[4]) begin
             attribute_9_out_d2 <= attribute_9_out_d1;
             attribute_9_out_d3 <= attribute_9_out_d2;
             attribute_9_out_d4 <= attribute_9_out_d3;
@@ -10009,6 +12502,8 @@ module splat_transform (
             attribute_10_out_d3 <= attribute_10_out_d2;
             attribute_10_out_d4 <= attribute_10_out_d3;
             attribute_11_out_d1 <= attribute_11_out;
+        end
+        if (phases_7[4]) begin
             attribute_11_out_d2 <= attribute_11_out_d1;
             attribute_11_out_d3 <= attribute_11_out_d2;
             attribute_11_out_d4 <= attribute_11_out_d3;
@@ -10017,67 +12512,254 @@ module splat_transform (
             attribute_12_out_d3 <= attribute_12_out_d2;
             attribute_12_out_d4 <= attribute_12_out_d3;
         end
-        if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice) : phase[1] ? mul_f24_ftz_unit_a_choice : m20;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m02) : m01) : phase[1] ? (phase[0] ? m12 : m01) : m21;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m12 : m10) : phase[1] ? (phase[0] ? m00 : m10) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? m11 : phase[1] ? (phase[0] ? m22 : m11) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? (phase[1] ? tangent2_y_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy4_b_choice;
-            add_f24_ftz_unit_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice) : add_f24_ftz_unit_a_choice_2;
-            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_3;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
-            lt_f24_ftz_unit_a <= near_plane;
-            lt_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_y : phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice : m20;
+        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+        mul_f24_ftz_unit_copy2_b <= mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
+        mul_f24_ftz_unit_copy3_a <= mul_f24_ftz_unit_copy3_phase[2] ? (mul_f24_ftz_unit_copy3_phase[1] ? m12 : m10) : mul_f24_ftz_unit_copy3_a_choice;
+        mul_f24_ftz_unit_copy3_b <= mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_b_choice_2 : mul_f24_ftz_unit_copy3_b_choice_4;
+        mul_f24_ftz_unit_copy4_a <= mul_f24_ftz_unit_copy4_phase[2] ? m11 : mul_f24_ftz_unit_copy4_a_choice;
+        mul_f24_ftz_unit_copy4_b <= mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_b_choice_2 : mul_f24_ftz_unit_copy4_b_choice_4;
+        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+        add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
+        add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
+        add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
+        add_f24_ftz_unit_copy3_a <= add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_2 : add_f24_ftz_unit_copy3_a_choice_4;
+        add_f24_ftz_unit_copy3_b <= add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_5;
+        lt_f24_ftz_unit_a <= near_plane;
+        lt_f24_ftz_unit_b <= lt_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_y : lt_f24_ftz_unit_b_choice;
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= {in_cardinal_0, in_end};
+        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+
+    wire _unused = &{
+        1'b0, max_f24_ftz_unit_y[23], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
+        queue_3_out_valid, queue_4_in_ready, queue_4_out_valid
+    };
+
+`ifdef RTL_ASSERT
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
+    wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((add_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((add_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        queue_4_in_step: assert (queue_4_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_14 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]));
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_4_in_ready)) begin
+            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+        if (!(queue_4_out_valid == out_valid)) begin
+            $display("assertion failed: queue_4_in_step in %m"); $stop;
+        end
+        if (!(check_both_14 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 5
+// width = 64
+// storage = distributed
+module stream_fifo_d5_w64_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [63:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [63:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [63:0] entries [0:4];
+    reg [2:0] held, waiting, write_address, read_address;
+    reg [63:0] item;
+
+    wire has_room = ~(held == 3'd5);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 3'd0;
+            waiting <= 3'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {2'd0, push}) - {2'd0, pop};
+            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {in_cardinal_0, in_end};
-        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
-
-    wire _unused = &{1'b0, max_f24_ftz_unit_y[23]};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & phase_is_4));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
+        held_in_range: assert (held <= 3'd5);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 5
+// width = 128
+// storage = distributed
+module stream_fifo_d5_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:4];
+    reg [2:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 3'd5);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 3'd0;
+            waiting <= 3'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {2'd0, push}) - {2'd0, pop};
+            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
-        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 3'd5);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+`else
+        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 5
+// width = 121
+// storage = distributed
+module stream_fifo_d5_w121_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [120:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [120:0] entries [0:4];
+    reg [2:0] held, waiting, write_address, read_address;
+    reg [120:0] item;
+
+    wire has_room = ~(held == 3'd5);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 3'd0;
+            waiting <= 3'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {2'd0, push}) - {2'd0, pop};
+            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
-        if (!(load_4 == (queue_in_ready & phase_is_4))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
-        end
-        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
-        end
-        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
-        end
-        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 3'd5);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+`else
+        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -10296,49 +12978,6 @@ module float_mul_s4_f24ftz (
     end
 
     wire _unused = &{1'b0, significand_s3[17]};
-endmodule
-
-// Queue of two in registers.
-// width = 441
-module stream_skid_w441 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [440:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [440:0] out_data
-);
-    reg second_valid;
-    reg [440:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Memory with registered reads, in slices that are memories of the device each.

@@ -48,14 +48,13 @@ module splat_axi (
     input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
     output wire irq  // Interrupt.
 );
-    reg [5:0] pixel_awaited;
-    reg [1:0] tiles_awaited;
-    reg [5:0] pixel_held;
-    reg [1:0] tiles_held;
+    reg [7:0] pixels_awaited, pixels_held;
     reg has_ended;
 
     wire core_splat_ready, core_read_valid;
     wire [11:0] core_read_tile;
+    wire [5:0] core_read_pixel;
+    wire [3:0] core_read_count;
     wire core_data_ready, core_write_valid;
     wire [11:0] core_write_tile;
     wire [5:0] core_write_pixel;
@@ -99,9 +98,9 @@ module splat_axi (
     wire early_end_ended, pixels_in_ready, pixels_out_valid;
     wire [319:0] pixels_out_data;
 
-    wire reads_tile = reads_request_ready & writes_idle;
-    wire tile_fits = ~(tiles_held == 2'd2);
-    wire core_read_ready = reads_tile & tile_fits;
+    wire reads_run = reads_request_ready & writes_idle;
+    wire run_fits = pixels_held < 8'd121;
+    wire core_read_ready = reads_run & run_fits;
     wire [27:0] pixels_out_weight = pixels_out_data[319:292];
     wire [51:0] pixels_out_depth = pixels_out_data[291:240];
     wire [15:0] pixels_out_peak = pixels_out_data[239:224];
@@ -119,20 +118,19 @@ module splat_axi (
     wire [15:0] pixels_out_attribute_11 = pixels_out_data[47:32];
     wire [15:0] pixels_out_attribute_12 = pixels_out_data[31:16];
     wire [15:0] pixels_out_cardinal_0 = pixels_out_data[15:0];
-    wire core_read_valid_and_tile_fits = core_read_valid & tile_fits;
-    wire no_read = ~core_read_valid_and_tile_fits;
+    wire core_read_valid_and_run_fits = core_read_valid & run_fits;
+    wire no_read = ~core_read_valid_and_run_fits;
     wire core_write_ready = writes_in_ready & no_read;
     wire has_ended_both = has_ended & ~registers_start;
     wire is_idle = fragments_idle & writes_idle;
     wire rst_or_early_end_aborts = rst | early_end_aborts;
-    wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
+    wire [31:0] run_address = registers_buffer_base + {8'd0, core_read_tile, core_read_pixel, 6'd0};
     wire reads_record_ready = pixels_in_ready | early_end_aborts;
     wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
-    wire quiet = is_idle & (tiles_awaited == 2'd0);
-    wire pixel_awaited_both = reads_record_valid & reads_record_ready;
-    wire tile_begins = core_read_valid & core_read_ready;
-    wire pixel_held_both = pixels_out_valid & core_data_ready;
-    wire [1:0] tiles_held_difference = (tiles_held + {1'd0, tile_begins}) - {1'd0, pixel_held_both & &pixel_held};
+    wire quiet = is_idle & (pixels_awaited == 8'd0);
+    wire run_begins = core_read_valid & core_read_ready;
+    wire [7:0] pixels_held_bits = {4'd0, {4{run_begins}} & core_read_count};
+    wire [7:0] pixels_held_difference = (pixels_held + pixels_held_bits) - {7'd0, pixels_out_valid & core_data_ready};
     wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
 
     splat_top core (
@@ -153,6 +151,7 @@ module splat_axi (
         .splat_attribute_11(splats_out_attribute_11), .splat_attribute_12(splats_out_attribute_12),
         .splat_cardinal_0(splats_out_cardinal_0),
         .read_valid(core_read_valid), .read_ready(core_read_ready), .read_tile(core_read_tile),
+        .read_pixel(core_read_pixel), .read_count(core_read_count),
         .data_valid(pixels_out_valid), .data_ready(core_data_ready), .data_weight(pixels_out_weight),
         .data_depth(pixels_out_depth), .data_peak(pixels_out_peak), .data_attribute_0(pixels_out_attribute_0),
         .data_attribute_1(pixels_out_attribute_1), .data_attribute_2(pixels_out_attribute_2),
@@ -248,8 +247,8 @@ module splat_axi (
     );
 
     bus_reader reads (
-        .clk(clk), .rst(rst), .request_valid(core_read_valid_and_tile_fits & writes_idle),
-        .request_ready(reads_request_ready), .request_address(tile_address), .request_records(7'd64),
+        .clk(clk), .rst(rst), .request_valid(core_read_valid_and_run_fits & writes_idle),
+        .request_ready(reads_request_ready), .request_address(run_address), .request_records(core_read_count),
         .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
         .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
         .m_axi_arburst(m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(m_axi_rready),
@@ -308,16 +307,12 @@ module splat_axi (
 
     always @(posedge clk) begin
         if (rst) begin
-            pixel_awaited <= 6'd0;
-            tiles_awaited <= 2'd0;
-            pixel_held <= 6'd0;
-            tiles_held <= 2'd0;
+            pixels_awaited <= 8'd0;
+            pixels_held <= 8'd0;
             has_ended <= 1'd0;
         end else begin
-            pixel_awaited <= pixel_awaited + {5'd0, pixel_awaited_both};
-            tiles_awaited <= (tiles_awaited + {1'd0, tile_begins}) - {1'd0, pixel_awaited_both & &pixel_awaited};
-            pixel_held <= early_end_aborts ? 6'd0 : (pixel_held + {5'd0, pixel_held_both});
-            tiles_held <= early_end_aborts ? 2'd0 : tiles_held_difference;
+            pixels_awaited <= (pixels_awaited + pixels_held_bits) - {7'd0, reads_record_valid & reads_record_ready};
+            pixels_held <= early_end_aborts ? 8'd0 : pixels_held_difference;
             has_ended <= is_last | has_ended_both;
         end
     end
@@ -545,12 +540,12 @@ endmodule
 // Reads records from memory in bursts.
 // beats = 8
 // width = 64
-// records = 64
+// records = 8
 module bus_reader (
     input  wire clk, input wire rst,
     input  wire request_valid, output wire request_ready,  // Records wanted.
     input  wire [31:0] request_address,  // Where the first one lies.
-    input  wire [6:0] request_records,  // How many.
+    input  wire [3:0] request_records,  // How many.
     output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
@@ -585,7 +580,7 @@ module bus_reader (
 );
     reg held;
     reg [25:0] address;
-    reg [6:0] records;
+    reg [3:0] records;
     reg [7:0] number;
     reg [27:0] held_weight_0;
     reg [51:0] held_depth_0;
@@ -602,12 +597,12 @@ module bus_reader (
     wire [64:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
-    wire [6:0] room_records = 7'd32 - {2'd0, address[4:0]};
-    wire crosses = room_records < records;
+    wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
+    wire crosses = room_records < {2'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
     wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
-    wire [6:0] burst = crosses ? room_records : records;
-    wire [8:0] length_difference = {burst[5:0], 3'd0} - 9'd1;
+    wire [5:0] burst = crosses ? room_records : {2'd0, records};
+    wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
     wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
@@ -615,6 +610,7 @@ module bus_reader (
     wire length_queue_out_ready = moves & ends;
     wire beat_queue_out_ready = advance | ~length_queue_out_valid;
     wire takes_request_or_issues = takes_request | issues;
+    wire [5:0] records_minus_room_records = {2'd0, records} - room_records;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
     wire takes_beat_1 = moves & (number[2:0] == 3'd1);
     wire takes_beat_2 = moves & (number[2:0] == 3'd2);
@@ -688,7 +684,7 @@ module bus_reader (
     always @(posedge clk) begin
         if (takes_request_or_issues) begin
             address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
-            records <= takes_request ? request_records : (records - room_records);
+            records <= takes_request ? request_records : records_minus_room_records[3:0];
         end
         if (takes_beat_0) held_weight_0 <= beat_queue_out_data[28:1];
         if (takes_beat_1) held_depth_0 <= beat_queue_out_data[52:1];
@@ -717,7 +713,7 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, burst[6], length_difference[8], m_axi_rid, request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:4], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
@@ -1198,12 +1194,12 @@ module bus_registers (
     input  wire [1:0] memory_error,  // Memory answered with an error.
     input  wire packet_taken,  // A packet was taken.
     input  wire packet_sent,  // A packet was sent.
-    input  wire event_sample,  // The rasterizer evaluated a sample.
-    input  wire event_starved,  // The rasterizer had no copy to work on.
-    input  wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
-    input  wire event_accumulate,  // The accumulator took a sample.
-    input  wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
-    input  wire event_slot_wait,  // The accumulator waited for its tile to arrive in the cache.
+    input  wire event_sample,  // Rasterizers that evaluated a sample.
+    input  wire event_starved,  // Rasterizers that had no copy to work on.
+    input  wire event_blocked,  // Rasterizers whose pipeline was held by what follows it.
+    input  wire event_accumulate,  // Accumulators that took a sample.
+    input  wire event_hazard,  // Accumulators that waited for an earlier sample of the same pixel.
+    input  wire event_slot_wait,  // Accumulators that waited for a tile to arrive in the cache.
     input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
     output reg  s_axil_rvalid, input wire s_axil_rready,  // What is read from them.

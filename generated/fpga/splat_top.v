@@ -32,9 +32,11 @@ module splat_top (
     input  wire [15:0] splat_attribute_11,  // Attributes.
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
-    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
     output wire [11:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -91,12 +93,12 @@ module splat_top (
     output wire [15:0] fragment_attribute_11,  // Attributes.
     output wire [15:0] fragment_attribute_12,  // Attributes.
     output wire [15:0] fragment_cardinal_0,  // Attributes.
-    output wire event_sample,  // The rasterizer evaluated a sample.
-    output wire event_starved,  // The rasterizer had no copy to work on.
-    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
-    output wire event_accumulate,  // The accumulator took a sample.
-    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
-    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
+    output wire event_sample,  // Rasterizers that evaluated a sample.
+    output wire event_starved,  // Rasterizers that had no copy to work on.
+    output wire event_blocked,  // Rasterizers whose pipeline was held by what follows it.
+    output wire event_accumulate,  // Accumulators that took a sample.
+    output wire event_hazard,  // Accumulators that waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // Accumulators that waited for a tile to arrive in the cache.
 );
     reg [31:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
     reg [31:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
@@ -125,7 +127,7 @@ module splat_top (
     wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
     wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
-    wire splitter_in_ready, splitter_out_valid, splitter_out_end;
+    wire splitter_in_ready, splitter_out_valid, splitter_out_end, splitter_out_first;
     wire [31:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
     wire [31:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
     wire splitter_out_sight_negative;
@@ -141,94 +143,16 @@ module splat_top (
     wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
     wire [3:0] splitter_out_last_difference;
     wire [11:0] splitter_out_tile;
-    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
-    wire [31:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
-    wire [31:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my;
-    wire reorder_out_sight_negative;
-    wire [30:0] reorder_out_sight_near, reorder_out_sight_far;
-    wire reorder_out_sight_turned, reorder_out_sight_disc;
-    wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
-    wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2, reorder_out_attribute_3;
-    wire [15:0] reorder_out_attribute_4, reorder_out_attribute_5, reorder_out_attribute_6, reorder_out_attribute_7;
-    wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
-    wire [15:0] reorder_out_attribute_12, reorder_out_cardinal_0;
-    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
-    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
-    wire [3:0] reorder_out_last_difference;
-    wire [11:0] reorder_out_tile;
-    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
-    wire [31:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
-    wire [31:0] tile_cache_out_ay, tile_cache_out_by, tile_cache_out_delta, tile_cache_out_mx, tile_cache_out_my;
-    wire tile_cache_out_sight_negative;
-    wire [30:0] tile_cache_out_sight_near, tile_cache_out_sight_far;
-    wire tile_cache_out_sight_turned, tile_cache_out_sight_disc;
-    wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
-    wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
-    wire [15:0] tile_cache_out_attribute_3, tile_cache_out_attribute_4, tile_cache_out_attribute_5;
-    wire [15:0] tile_cache_out_attribute_6, tile_cache_out_attribute_7, tile_cache_out_attribute_8;
-    wire [15:0] tile_cache_out_attribute_9, tile_cache_out_attribute_10, tile_cache_out_attribute_11;
-    wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
-    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
-    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
-    wire [3:0] tile_cache_out_last_difference;
-    wire [11:0] tile_cache_out_tile;
-    wire [2:0] tile_cache_out_slot;
-    wire tile_cache_pixel_valid, tile_cache_pixel_end;
-    wire [11:0] tile_cache_pixel_tile;
-    wire [5:0] tile_cache_pixel_pixel;
-    wire [27:0] tile_cache_pixel_weight;
-    wire [51:0] tile_cache_pixel_depth;
-    wire [15:0] tile_cache_pixel_peak, tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1;
-    wire [15:0] tile_cache_pixel_attribute_2, tile_cache_pixel_attribute_3, tile_cache_pixel_attribute_4;
-    wire [15:0] tile_cache_pixel_attribute_5, tile_cache_pixel_attribute_6, tile_cache_pixel_attribute_7;
-    wire [15:0] tile_cache_pixel_attribute_8, tile_cache_pixel_attribute_9, tile_cache_pixel_attribute_10;
-    wire [15:0] tile_cache_pixel_attribute_11, tile_cache_pixel_attribute_12, tile_cache_pixel_cardinal_0;
-    wire [7:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid;
-    wire [2:0] tile_cache_fill_slot;
-    wire [5:0] tile_cache_fill_pixel;
-    wire [27:0] tile_cache_fill_weight;
-    wire [51:0] tile_cache_fill_depth;
-    wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
-    wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
-    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
-    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
-    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
-    wire tile_cache_drain_enable;
-    wire [2:0] tile_cache_drain_slot;
-    wire [5:0] tile_cache_drain_pixel;
-    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside;
-    wire [2:0] rasterizer_out_slot;
-    wire [5:0] rasterizer_out_pixel;
-    wire [15:0] rasterizer_out_weight;
-    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
-    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
-    wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
-    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
-    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
-    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
-    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire [2:0] weighting_out_slot;
-    wire [5:0] weighting_out_pixel;
-    wire [15:0] weighting_out_weight;
-    wire [39:0] weighting_out_weighted_depth;
-    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
-    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
-    wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
-    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
-    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
-    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
-    wire accumulator_in_ready, accumulator_retire_valid;
-    wire [2:0] accumulator_retire_slot;
-    wire accumulator_frame_end;
-    wire [27:0] accumulator_drain_weight;
-    wire [51:0] accumulator_drain_depth;
-    wire [15:0] accumulator_drain_peak, accumulator_drain_attribute_0, accumulator_drain_attribute_1;
-    wire [15:0] accumulator_drain_attribute_2, accumulator_drain_attribute_3, accumulator_drain_attribute_4;
-    wire [15:0] accumulator_drain_attribute_5, accumulator_drain_attribute_6, accumulator_drain_attribute_7;
-    wire [15:0] accumulator_drain_attribute_8, accumulator_drain_attribute_9, accumulator_drain_attribute_10;
-    wire [15:0] accumulator_drain_attribute_11, accumulator_drain_attribute_12, accumulator_drain_cardinal_0;
+    wire lane_0_in_ready, lane_0_pixel_valid, lane_0_pixel_end;
+    wire [11:0] lane_0_pixel_tile;
+    wire [5:0] lane_0_pixel_pixel;
+    wire [27:0] lane_0_pixel_weight;
+    wire [51:0] lane_0_pixel_depth;
+    wire [15:0] lane_0_pixel_peak, lane_0_pixel_attribute_0, lane_0_pixel_attribute_1, lane_0_pixel_attribute_2;
+    wire [15:0] lane_0_pixel_attribute_3, lane_0_pixel_attribute_4, lane_0_pixel_attribute_5;
+    wire [15:0] lane_0_pixel_attribute_6, lane_0_pixel_attribute_7, lane_0_pixel_attribute_8;
+    wire [15:0] lane_0_pixel_attribute_9, lane_0_pixel_attribute_10, lane_0_pixel_attribute_11;
+    wire [15:0] lane_0_pixel_attribute_12, lane_0_pixel_cardinal_0;
     wire normalizer_in_ready;
 
     splat_transform transform (
@@ -322,110 +246,50 @@ module splat_top (
         .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
         .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
         .in_last_difference(setup_out_last_difference),
-        .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
-        .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
-        .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
-        .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_sight_negative(splitter_out_sight_negative), .out_sight_near(splitter_out_sight_near),
-        .out_sight_far(splitter_out_sight_far), .out_sight_turned(splitter_out_sight_turned),
-        .out_sight_disc(splitter_out_sight_disc), .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2), .out_attribute_3(splitter_out_attribute_3),
-        .out_attribute_4(splitter_out_attribute_4), .out_attribute_5(splitter_out_attribute_5),
-        .out_attribute_6(splitter_out_attribute_6), .out_attribute_7(splitter_out_attribute_7),
-        .out_attribute_8(splitter_out_attribute_8), .out_attribute_9(splitter_out_attribute_9),
-        .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
-        .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
-        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
-        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
+        .out_valid(splitter_out_valid), .out_ready(lane_0_in_ready), .out_end(splitter_out_end),
+        .out_first(splitter_out_first), .out_center_x(splitter_out_center_x),
+        .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax), .out_bx(splitter_out_bx),
+        .out_ay(splitter_out_ay), .out_by(splitter_out_by), .out_delta(splitter_out_delta),
+        .out_mx(splitter_out_mx), .out_my(splitter_out_my), .out_sight_negative(splitter_out_sight_negative),
+        .out_sight_near(splitter_out_sight_near), .out_sight_far(splitter_out_sight_far),
+        .out_sight_turned(splitter_out_sight_turned), .out_sight_disc(splitter_out_sight_disc),
+        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
+        .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
+        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
+        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
+        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
+        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
+        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
+        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
+        .out_first_sum(splitter_out_first_sum), .out_last_sum(splitter_out_last_sum),
+        .out_first_difference(splitter_out_first_difference),
         .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
-    splat_reorder reorder (
-        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
-        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
-        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
-        .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_sight_negative(splitter_out_sight_negative), .in_sight_near(splitter_out_sight_near),
-        .in_sight_far(splitter_out_sight_far), .in_sight_turned(splitter_out_sight_turned),
-        .in_sight_disc(splitter_out_sight_disc), .in_depth(splitter_out_depth),
-        .in_depth_low(splitter_out_depth_low), .in_depth_high(splitter_out_depth_high),
-        .in_attribute_0(splitter_out_attribute_0), .in_attribute_1(splitter_out_attribute_1),
-        .in_attribute_2(splitter_out_attribute_2), .in_attribute_3(splitter_out_attribute_3),
-        .in_attribute_4(splitter_out_attribute_4), .in_attribute_5(splitter_out_attribute_5),
-        .in_attribute_6(splitter_out_attribute_6), .in_attribute_7(splitter_out_attribute_7),
-        .in_attribute_8(splitter_out_attribute_8), .in_attribute_9(splitter_out_attribute_9),
-        .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
-        .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
-        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+    splat_lane lane_0 (
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(lane_0_in_ready),
+        .in_end(splitter_out_end), .in_first(splitter_out_first), .in_center_x(splitter_out_center_x),
+        .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax), .in_bx(splitter_out_bx),
+        .in_ay(splitter_out_ay), .in_by(splitter_out_by), .in_delta(splitter_out_delta),
+        .in_mx(splitter_out_mx), .in_my(splitter_out_my), .in_sight_negative(splitter_out_sight_negative),
+        .in_sight_near(splitter_out_sight_near), .in_sight_far(splitter_out_sight_far),
+        .in_sight_turned(splitter_out_sight_turned), .in_sight_disc(splitter_out_sight_disc),
+        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
+        .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
+        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
+        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
+        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
+        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
+        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
+        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
         .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
         .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
-        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
-        .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
-        .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
-        .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_sight_negative(reorder_out_sight_negative), .out_sight_near(reorder_out_sight_near),
-        .out_sight_far(reorder_out_sight_far), .out_sight_turned(reorder_out_sight_turned),
-        .out_sight_disc(reorder_out_sight_disc), .out_depth(reorder_out_depth),
-        .out_depth_low(reorder_out_depth_low), .out_depth_high(reorder_out_depth_high),
-        .out_attribute_0(reorder_out_attribute_0), .out_attribute_1(reorder_out_attribute_1),
-        .out_attribute_2(reorder_out_attribute_2), .out_attribute_3(reorder_out_attribute_3),
-        .out_attribute_4(reorder_out_attribute_4), .out_attribute_5(reorder_out_attribute_5),
-        .out_attribute_6(reorder_out_attribute_6), .out_attribute_7(reorder_out_attribute_7),
-        .out_attribute_8(reorder_out_attribute_8), .out_attribute_9(reorder_out_attribute_9),
-        .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
-        .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
-        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
-        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
-        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
-    );
-
-    splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
-        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
-        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
-        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_sight_negative(reorder_out_sight_negative), .in_sight_near(reorder_out_sight_near),
-        .in_sight_far(reorder_out_sight_far), .in_sight_turned(reorder_out_sight_turned),
-        .in_sight_disc(reorder_out_sight_disc), .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
-        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
-        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
-        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
-        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
-        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
-        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
-        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
-        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
-        .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
-        .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
-        .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
-        .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_sight_negative(tile_cache_out_sight_negative),
-        .out_sight_near(tile_cache_out_sight_near), .out_sight_far(tile_cache_out_sight_far),
-        .out_sight_turned(tile_cache_out_sight_turned), .out_sight_disc(tile_cache_out_sight_disc),
-        .out_depth(tile_cache_out_depth), .out_depth_low(tile_cache_out_depth_low),
-        .out_depth_high(tile_cache_out_depth_high), .out_attribute_0(tile_cache_out_attribute_0),
-        .out_attribute_1(tile_cache_out_attribute_1), .out_attribute_2(tile_cache_out_attribute_2),
-        .out_attribute_3(tile_cache_out_attribute_3), .out_attribute_4(tile_cache_out_attribute_4),
-        .out_attribute_5(tile_cache_out_attribute_5), .out_attribute_6(tile_cache_out_attribute_6),
-        .out_attribute_7(tile_cache_out_attribute_7), .out_attribute_8(tile_cache_out_attribute_8),
-        .out_attribute_9(tile_cache_out_attribute_9), .out_attribute_10(tile_cache_out_attribute_10),
-        .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
-        .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
-        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
-        .out_first_difference(tile_cache_out_first_difference),
-        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
-        .out_slot(tile_cache_out_slot),
-        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
@@ -443,161 +307,32 @@ module splat_top (
         .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
         .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
         .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
-        .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
-        .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
-        .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
-        .pixel_depth(tile_cache_pixel_depth), .pixel_peak(tile_cache_pixel_peak),
-        .pixel_attribute_0(tile_cache_pixel_attribute_0), .pixel_attribute_1(tile_cache_pixel_attribute_1),
-        .pixel_attribute_2(tile_cache_pixel_attribute_2), .pixel_attribute_3(tile_cache_pixel_attribute_3),
-        .pixel_attribute_4(tile_cache_pixel_attribute_4), .pixel_attribute_5(tile_cache_pixel_attribute_5),
-        .pixel_attribute_6(tile_cache_pixel_attribute_6), .pixel_attribute_7(tile_cache_pixel_attribute_7),
-        .pixel_attribute_8(tile_cache_pixel_attribute_8), .pixel_attribute_9(tile_cache_pixel_attribute_9),
-        .pixel_attribute_10(tile_cache_pixel_attribute_10),
-        .pixel_attribute_11(tile_cache_pixel_attribute_11),
-        .pixel_attribute_12(tile_cache_pixel_attribute_12), .pixel_cardinal_0(tile_cache_pixel_cardinal_0),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
-        .drain_attribute_10(accumulator_drain_attribute_10),
-        .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0)
-    );
-
-    splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
-        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
-        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
-        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my),
-        .in_sight_negative(tile_cache_out_sight_negative), .in_sight_near(tile_cache_out_sight_near),
-        .in_sight_far(tile_cache_out_sight_far), .in_sight_turned(tile_cache_out_sight_turned),
-        .in_sight_disc(tile_cache_out_sight_disc), .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
-        .in_attribute_4(tile_cache_out_attribute_4), .in_attribute_5(tile_cache_out_attribute_5),
-        .in_attribute_6(tile_cache_out_attribute_6), .in_attribute_7(tile_cache_out_attribute_7),
-        .in_attribute_8(tile_cache_out_attribute_8), .in_attribute_9(tile_cache_out_attribute_9),
-        .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
-        .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
-        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
-        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
-        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
-        .in_slot(tile_cache_out_slot),
-        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
-        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
-        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
-        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
-        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
-        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
-        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .pixel_valid(lane_0_pixel_valid), .pixel_ready(normalizer_in_ready), .pixel_end(lane_0_pixel_end),
+        .pixel_tile(lane_0_pixel_tile), .pixel_pixel(lane_0_pixel_pixel), .pixel_weight(lane_0_pixel_weight),
+        .pixel_depth(lane_0_pixel_depth), .pixel_peak(lane_0_pixel_peak),
+        .pixel_attribute_0(lane_0_pixel_attribute_0), .pixel_attribute_1(lane_0_pixel_attribute_1),
+        .pixel_attribute_2(lane_0_pixel_attribute_2), .pixel_attribute_3(lane_0_pixel_attribute_3),
+        .pixel_attribute_4(lane_0_pixel_attribute_4), .pixel_attribute_5(lane_0_pixel_attribute_5),
+        .pixel_attribute_6(lane_0_pixel_attribute_6), .pixel_attribute_7(lane_0_pixel_attribute_7),
+        .pixel_attribute_8(lane_0_pixel_attribute_8), .pixel_attribute_9(lane_0_pixel_attribute_9),
+        .pixel_attribute_10(lane_0_pixel_attribute_10), .pixel_attribute_11(lane_0_pixel_attribute_11),
+        .pixel_attribute_12(lane_0_pixel_attribute_12), .pixel_cardinal_0(lane_0_pixel_cardinal_0),
         .filter_scale(uniform_filter_scale),
-        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
-    );
-
-    splat_weighting weighting (
-        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
-        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
-        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
-        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
-        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
-        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
-        .in_cardinal_0(rasterizer_out_cardinal_0),
-        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
-        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
-        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
-        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
-        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
-        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
-        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
-        .out_cardinal_0(weighting_out_cardinal_0)
-    );
-
-    splat_accumulator accumulator (
-        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
-        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
-        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
-        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
-        .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
-        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
-        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
-        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
-        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
-        .in_cardinal_0(weighting_out_cardinal_0),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
-        .drain_attribute_10(accumulator_drain_attribute_10),
-        .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked),
         .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
-        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
-        .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
-        .in_peak(tile_cache_pixel_peak), .in_attribute_0(tile_cache_pixel_attribute_0),
-        .in_attribute_1(tile_cache_pixel_attribute_1), .in_attribute_2(tile_cache_pixel_attribute_2),
-        .in_attribute_3(tile_cache_pixel_attribute_3), .in_attribute_4(tile_cache_pixel_attribute_4),
-        .in_attribute_5(tile_cache_pixel_attribute_5), .in_attribute_6(tile_cache_pixel_attribute_6),
-        .in_attribute_7(tile_cache_pixel_attribute_7), .in_attribute_8(tile_cache_pixel_attribute_8),
-        .in_attribute_9(tile_cache_pixel_attribute_9), .in_attribute_10(tile_cache_pixel_attribute_10),
-        .in_attribute_11(tile_cache_pixel_attribute_11), .in_attribute_12(tile_cache_pixel_attribute_12),
-        .in_cardinal_0(tile_cache_pixel_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(lane_0_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(lane_0_pixel_end), .in_tile(lane_0_pixel_tile), .in_pixel(lane_0_pixel_pixel),
+        .in_weight(lane_0_pixel_weight), .in_depth(lane_0_pixel_depth), .in_peak(lane_0_pixel_peak),
+        .in_attribute_0(lane_0_pixel_attribute_0), .in_attribute_1(lane_0_pixel_attribute_1),
+        .in_attribute_2(lane_0_pixel_attribute_2), .in_attribute_3(lane_0_pixel_attribute_3),
+        .in_attribute_4(lane_0_pixel_attribute_4), .in_attribute_5(lane_0_pixel_attribute_5),
+        .in_attribute_6(lane_0_pixel_attribute_6), .in_attribute_7(lane_0_pixel_attribute_7),
+        .in_attribute_8(lane_0_pixel_attribute_8), .in_attribute_9(lane_0_pixel_attribute_9),
+        .in_attribute_10(lane_0_pixel_attribute_10), .in_attribute_11(lane_0_pixel_attribute_11),
+        .in_attribute_12(lane_0_pixel_attribute_12), .in_cardinal_0(lane_0_pixel_cardinal_0),
         .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
         .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
         .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
@@ -683,17 +418,26 @@ module splat_normalizer (
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
-    reg [239:0] delay_28_from_0 [0:26];
+    reg [95:0] delay_28_from_0 [0:26];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_28_from_0_copy2 [0:26];
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_28_from_0_copy3 [0:26];
     (* ram_style = "distributed" *)
     reg [34:0] delay_39_from_0 [0:37];
+    reg [6:0] credits;
     reg [4:0] delay_28_from_0_pointer;
-    reg [239:0] delay_28_from_0_out;
+    reg [95:0] delay_28_from_0_out;
+    reg [4:0] delay_28_from_0_copy2_pointer;
+    reg [95:0] delay_28_from_0_copy2_out;
+    reg [4:0] delay_28_from_0_copy3_pointer;
+    reg [47:0] delay_28_from_0_copy3_out;
     reg [5:0] delay_39_from_0_pointer;
     reg [34:0] delay_39_from_0_out;
     reg [31:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [38:0] in_flight;
+    reg left;
 
-    wire [274:0] queue_out_data;
     wire [31:0] to_float_u28q16_f32_ftz_unit_y, recip_f32_ftz_unit_y, to_float_u52q40_f32_ftz_unit_y;
     wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y;
     wire [31:0] mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy7_y;
@@ -710,266 +454,499 @@ module splat_normalizer (
     wire [15:0] convert_f32_ftz_f16_unit_copy7_y, convert_f32_ftz_f16_unit_copy8_y, convert_f32_ftz_f16_unit_copy9_y;
     wire [15:0] convert_f32_ftz_f16_unit_copy10_y, convert_f32_ftz_f16_unit_copy11_y;
     wire [15:0] convert_f32_ftz_f16_unit_copy12_y, convert_f32_ftz_f16_unit_copy13_y;
+    wire queue_1_in_ready;
+    wire [114:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [31:0] queue_3_out_data;
 
-    wire end_d39 = delay_39_from_0_out[0];
-    wire [8:0] column_out_d39 = delay_39_from_0_out[25:17];
-    wire [8:0] row_out_d39 = delay_39_from_0_out[34:26];
-    wire [15:0] cardinal_0_d39 = delay_39_from_0_out[16:1];
+    assign in_ready = ~credits[6];
     wire [31:0] depth_float_d28 = delay_28_from_0_out[31:0];
     wire [15:0] attribute_0_d28 = delay_28_from_0_out[47:32];
     wire [15:0] attribute_1_d28 = delay_28_from_0_out[63:48];
     wire [15:0] attribute_2_d28 = delay_28_from_0_out[79:64];
     wire [15:0] attribute_3_d28 = delay_28_from_0_out[95:80];
-    wire [15:0] attribute_4_d28 = delay_28_from_0_out[111:96];
-    wire [15:0] attribute_5_d28 = delay_28_from_0_out[127:112];
-    wire [15:0] attribute_6_d28 = delay_28_from_0_out[143:128];
-    wire [15:0] attribute_7_d28 = delay_28_from_0_out[159:144];
-    wire [15:0] attribute_8_d28 = delay_28_from_0_out[175:160];
-    wire [15:0] attribute_9_d28 = delay_28_from_0_out[191:176];
-    wire [15:0] attribute_10_d28 = delay_28_from_0_out[207:192];
-    wire [15:0] attribute_11_d28 = delay_28_from_0_out[223:208];
-    wire [15:0] attribute_12_d28 = delay_28_from_0_out[239:224];
+    wire [15:0] attribute_4_d28 = delay_28_from_0_copy2_out[15:0];
+    wire [15:0] attribute_5_d28 = delay_28_from_0_copy2_out[31:16];
+    wire [15:0] attribute_6_d28 = delay_28_from_0_copy2_out[47:32];
+    wire [15:0] attribute_7_d28 = delay_28_from_0_copy2_out[63:48];
+    wire [15:0] attribute_8_d28 = delay_28_from_0_copy2_out[79:64];
+    wire [15:0] attribute_9_d28 = delay_28_from_0_copy2_out[95:80];
+    wire [15:0] attribute_10_d28 = delay_28_from_0_copy3_out[15:0];
+    wire [15:0] attribute_11_d28 = delay_28_from_0_copy3_out[31:16];
+    wire [15:0] attribute_12_d28 = delay_28_from_0_copy3_out[47:32];
+    wire kept = in_flight[38];
+    wire end_d39 = delay_39_from_0_out[0];
+    wire [8:0] column_out_d39 = delay_39_from_0_out[25:17];
+    wire [8:0] row_out_d39 = delay_39_from_0_out[34:26];
+    wire [15:0] cardinal_0_d39 = delay_39_from_0_out[16:1];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
         out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
-
-    stream_skid_w275 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[38]), .in_ready(in_ready),
-        .in_data({
-            end_d39, column_out_d39, row_out_d39, depth_out_d3, convert_f32_ftz_f16_unit_y,
-            convert_f32_ftz_f16_unit_copy2_y, convert_f32_ftz_f16_unit_copy3_y, convert_f32_ftz_f16_unit_copy4_y,
-            convert_f32_ftz_f16_unit_copy5_y, convert_f32_ftz_f16_unit_copy6_y, convert_f32_ftz_f16_unit_copy7_y,
-            convert_f32_ftz_f16_unit_copy8_y, convert_f32_ftz_f16_unit_copy9_y, convert_f32_ftz_f16_unit_copy10_y,
-            convert_f32_ftz_f16_unit_copy11_y, convert_f32_ftz_f16_unit_copy12_y,
-            convert_f32_ftz_f16_unit_copy13_y, cardinal_0_d39
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_attribute_3
+    } = queue_1_out_data;
+    assign {
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11
+    } = queue_2_out_data;
+    assign {out_attribute_12, out_cardinal_0} = queue_3_out_data;
 
     float_from_fixed_s3_f32ftz_w28_f16_unsigned to_float_u28q16_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f32_ftz_unit_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f32_ftz_unit_y), .y(recip_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u28q16_f32_ftz_unit_y), .y(recip_f32_ftz_unit_y)
     );
 
     float_from_fixed_s3_f32ftz_w52_f40_unsigned to_float_u52q40_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_depth), .y(to_float_u52q40_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(depth_float_d28), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(depth_float_d28), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy4_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy5_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy9_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy9_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy10_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy10_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(attribute_0_d28), .y(convert_f16_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(attribute_0_d28), .y(convert_f16_f32_ftz_unit_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(attribute_1_d28), .y(convert_f16_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(attribute_1_d28), .y(convert_f16_f32_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(attribute_2_d28), .y(convert_f16_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(attribute_2_d28), .y(convert_f16_f32_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(attribute_3_d28), .y(convert_f16_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(attribute_3_d28), .y(convert_f16_f32_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(attribute_4_d28), .y(convert_f16_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(attribute_4_d28), .y(convert_f16_f32_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(attribute_5_d28), .y(convert_f16_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(attribute_5_d28), .y(convert_f16_f32_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(attribute_6_d28), .y(convert_f16_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(attribute_6_d28), .y(convert_f16_f32_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(attribute_7_d28), .y(convert_f16_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(attribute_7_d28), .y(convert_f16_f32_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(attribute_8_d28), .y(convert_f16_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(attribute_8_d28), .y(convert_f16_f32_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(attribute_9_d28), .y(convert_f16_f32_ftz_unit_copy10_y)
+        .clk(clk), .enable(1'd1), .a(attribute_9_d28), .y(convert_f16_f32_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(attribute_10_d28), .y(convert_f16_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(attribute_10_d28), .y(convert_f16_f32_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(attribute_11_d28), .y(convert_f16_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(attribute_11_d28), .y(convert_f16_f32_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(attribute_12_d28), .y(convert_f16_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(attribute_12_d28), .y(convert_f16_f32_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy2_y), .y(convert_f32_ftz_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy2_y), .y(convert_f32_ftz_f16_unit_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy3_y), .y(convert_f32_ftz_f16_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_y), .y(convert_f32_ftz_f16_unit_copy2_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .y(convert_f32_ftz_f16_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy4_y), .y(convert_f32_ftz_f16_unit_copy3_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy5_y), .y(convert_f32_ftz_f16_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy5_y), .y(convert_f32_ftz_f16_unit_copy4_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy6_y), .y(convert_f32_ftz_f16_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy6_y), .y(convert_f32_ftz_f16_unit_copy5_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .y(convert_f32_ftz_f16_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_y), .y(convert_f32_ftz_f16_unit_copy6_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy8_y), .y(convert_f32_ftz_f16_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy8_y), .y(convert_f32_ftz_f16_unit_copy7_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy9_y), .y(convert_f32_ftz_f16_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy9_y), .y(convert_f32_ftz_f16_unit_copy8_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .y(convert_f32_ftz_f16_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_y), .y(convert_f32_ftz_f16_unit_copy9_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy11_y), .y(convert_f32_ftz_f16_unit_copy10_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy11_y), .y(convert_f32_ftz_f16_unit_copy10_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy12_y), .y(convert_f32_ftz_f16_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy12_y), .y(convert_f32_ftz_f16_unit_copy11_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy13_y), .y(convert_f32_ftz_f16_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy13_y), .y(convert_f32_ftz_f16_unit_copy12_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy14_y), .y(convert_f32_ftz_f16_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy14_y), .y(convert_f32_ftz_f16_unit_copy13_y)
+    );
+
+    stream_fifo_d43_w115_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d39, column_out_d39, row_out_d39, depth_out_d3, convert_f32_ftz_f16_unit_y,
+            convert_f32_ftz_f16_unit_copy2_y, convert_f32_ftz_f16_unit_copy3_y, convert_f32_ftz_f16_unit_copy4_y
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d43_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({
+            convert_f32_ftz_f16_unit_copy5_y, convert_f32_ftz_f16_unit_copy6_y, convert_f32_ftz_f16_unit_copy7_y,
+            convert_f32_ftz_f16_unit_copy8_y, convert_f32_ftz_f16_unit_copy9_y, convert_f32_ftz_f16_unit_copy10_y,
+            convert_f32_ftz_f16_unit_copy11_y, convert_f32_ftz_f16_unit_copy12_y
+        }),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d43_w32_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({convert_f32_ftz_f16_unit_copy13_y, cardinal_0_d39}),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd42;
             delay_28_from_0_pointer <= 5'd0;
+            delay_28_from_0_copy2_pointer <= 5'd0;
+            delay_28_from_0_copy3_pointer <= 5'd0;
             delay_39_from_0_pointer <= 6'd0;
             in_flight <= 39'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+            delay_28_from_0_copy2_pointer <= (delay_28_from_0_copy2_pointer == 5'd26) ? (delay_28_from_0_copy2_pointer - 5'd26) : (delay_28_from_0_copy2_pointer + 5'd1);
+            delay_28_from_0_copy3_pointer <= (delay_28_from_0_copy3_pointer == 5'd26) ? (delay_28_from_0_copy3_pointer - 5'd26) : (delay_28_from_0_copy3_pointer + 5'd1);
             delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
-            in_flight <= {in_flight[37:0], in_valid};
+            in_flight <= {in_flight[37:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            depth_out_d1 <= mul_f32_ftz_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-        end
+        depth_out_d1 <= mul_f32_ftz_unit_y;
+        depth_out_d2 <= depth_out_d1;
+        depth_out_d3 <= depth_out_d2;
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_28_from_0[delay_28_from_0_pointer] <= {
-                in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7,
-                in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1,
-                in_attribute_0, to_float_u52q40_f32_ftz_unit_y
-            };
-        end
-        if (in_ready) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        delay_28_from_0[delay_28_from_0_pointer] <= {in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0, to_float_u52q40_f32_ftz_unit_y};
+        delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_39_from_0[delay_39_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
-        end
-        if (in_ready) delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
+        delay_28_from_0_copy2[delay_28_from_0_copy2_pointer] <= {in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4};
+        delay_28_from_0_copy2_out <= delay_28_from_0_copy2[delay_28_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_28_from_0_copy3[delay_28_from_0_copy3_pointer] <= {in_attribute_12, in_attribute_11, in_attribute_10};
+        delay_28_from_0_copy3_out <= delay_28_from_0_copy3[delay_28_from_0_copy3_pointer];
+    end
+    always @(posedge clk) begin
+        delay_39_from_0[delay_39_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
+        delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, in_peak};
+    wire _unused = &{
+        1'b0, in_peak, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
+        queue_3_out_valid
+    };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 43
+// width = 32
+// storage = distributed
+module stream_fifo_d43_w32_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [31:0] entries [0:42];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [31:0] item;
+
+    wire has_room = ~(held == 6'd43);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd42) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd42) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd43);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd43)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 43
+// width = 128
+// storage = distributed
+module stream_fifo_d43_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:42];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 6'd43);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd42) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd42) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd43);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd43)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 43
+// width = 115
+// storage = distributed
+module stream_fifo_d43_w115_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [114:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [114:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [114:0] entries [0:42];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [114:0] item;
+
+    wire has_room = ~(held == 6'd43);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd42) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd42) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd43);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd43)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point format conversion.
@@ -1215,51 +1192,477 @@ module float_from_fixed_s3_f32ftz_w28_f16_unsigned (
     wire _unused = &{1'b0, significand_s2[25]};
 endmodule
 
-// Queue of two in registers.
-// width = 275
-module stream_skid_w275 (
+// A rasterizer with the lists, slots and sums of its share of the tiles.
+module splat_lane (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [274:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [274:0] out_data
+    input  wire in_valid, output wire in_ready,  // Copies for its tiles.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [31:0] in_ax,  // `A` in x.
+    input  wire [31:0] in_bx,  // `B` in x.
+    input  wire [31:0] in_ay,  // `A` in y.
+    input  wire [31:0] in_by,  // `B` in y.
+    input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [31:0] in_mx,  // `m` in x.
+    input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [11:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
+    output wire pixel_end,  // Closes the frame.
+    output wire [11:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [31:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
+    output wire event_sample,  // The rasterizer evaluated a sample.
+    output wire event_starved,  // The rasterizer had no copy to work on.
+    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
+    output wire event_accumulate,  // The accumulator took a sample.
+    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
-    reg second_valid;
-    reg [274:0] head, second;
+    wire payloads_copy_valid, payloads_copy_end;
+    wire [2:0] payloads_copy_left, payloads_copy_right, payloads_copy_top, payloads_copy_bottom;
+    wire [3:0] payloads_copy_first_sum, payloads_copy_last_sum, payloads_copy_first_difference;
+    wire [3:0] payloads_copy_last_difference;
+    wire [11:0] payloads_copy_tile;
+    wire [10:0] payloads_copy_splat;
+    wire payloads_placed_ready, payloads_out_valid, payloads_out_end;
+    wire [31:0] payloads_out_center_x, payloads_out_center_y, payloads_out_ax, payloads_out_bx, payloads_out_ay;
+    wire [31:0] payloads_out_by, payloads_out_delta, payloads_out_mx, payloads_out_my;
+    wire payloads_out_sight_negative;
+    wire [30:0] payloads_out_sight_near, payloads_out_sight_far;
+    wire payloads_out_sight_turned, payloads_out_sight_disc;
+    wire [23:0] payloads_out_depth, payloads_out_depth_low, payloads_out_depth_high;
+    wire [15:0] payloads_out_attribute_0, payloads_out_attribute_1, payloads_out_attribute_2;
+    wire [15:0] payloads_out_attribute_3, payloads_out_attribute_4, payloads_out_attribute_5;
+    wire [15:0] payloads_out_attribute_6, payloads_out_attribute_7, payloads_out_attribute_8;
+    wire [15:0] payloads_out_attribute_9, payloads_out_attribute_10, payloads_out_attribute_11;
+    wire [15:0] payloads_out_attribute_12, payloads_out_cardinal_0;
+    wire [2:0] payloads_out_left, payloads_out_right, payloads_out_top, payloads_out_bottom;
+    wire [3:0] payloads_out_first_sum, payloads_out_last_sum, payloads_out_first_difference;
+    wire [3:0] payloads_out_last_difference;
+    wire [11:0] payloads_out_tile;
+    wire [2:0] payloads_out_slot;
+    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
+    wire [11:0] reorder_out_tile;
+    wire [10:0] reorder_out_splat;
+    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
+    wire [11:0] tile_cache_out_tile;
+    wire [10:0] tile_cache_out_splat;
+    wire [2:0] tile_cache_out_slot;
+    wire [7:0] tile_cache_slot_ready;
+    wire tile_cache_change_valid;
+    wire [2:0] tile_cache_change_slot;
+    wire [1:0] tile_cache_change_banks;
+    wire [63:0] tile_cache_change_held;
+    wire tile_cache_drain_enable;
+    wire [2:0] tile_cache_drain_slot;
+    wire [5:0] tile_cache_drain_pixel;
+    wire tile_cache_fill_valid;
+    wire [2:0] tile_cache_fill_slot;
+    wire [5:0] tile_cache_fill_pixel;
+    wire [27:0] tile_cache_fill_weight;
+    wire [51:0] tile_cache_fill_depth;
+    wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
+    wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
+    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
+    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
+    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
+    wire rasterizer_out_inside;
+    wire [2:0] rasterizer_out_slot;
+    wire [5:0] rasterizer_out_pixel;
+    wire [15:0] rasterizer_out_weight;
+    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
+    wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
+    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
+    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
+    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire [2:0] weighting_out_slot;
+    wire [5:0] weighting_out_pixel;
+    wire [15:0] weighting_out_weight;
+    wire [39:0] weighting_out_weighted_depth;
+    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
+    wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
+    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
+    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
+    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
+    wire accumulator_in_ready, accumulator_retire_valid;
+    wire [2:0] accumulator_retire_slot;
+    wire accumulator_frame_end;
+    wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
+    wire [63:0] accumulator_masks_written, accumulator_masks_dirty;
+    wire accumulator_drained_valid;
+    wire [5:0] accumulator_drained_pixel;
+    wire [27:0] accumulator_drained_weight;
+    wire [51:0] accumulator_drained_depth;
+    wire [15:0] accumulator_drained_peak, accumulator_drained_attribute_0, accumulator_drained_attribute_1;
+    wire [15:0] accumulator_drained_attribute_2, accumulator_drained_attribute_3, accumulator_drained_attribute_4;
+    wire [15:0] accumulator_drained_attribute_5, accumulator_drained_attribute_6, accumulator_drained_attribute_7;
+    wire [15:0] accumulator_drained_attribute_8, accumulator_drained_attribute_9, accumulator_drained_attribute_10;
+    wire [15:0] accumulator_drained_attribute_11, accumulator_drained_attribute_12, accumulator_drained_cardinal_0;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    splat_payloads payloads (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_end(in_end), .in_first(in_first),
+        .in_center_x(in_center_x), .in_center_y(in_center_y), .in_ax(in_ax), .in_bx(in_bx), .in_ay(in_ay),
+        .in_by(in_by), .in_delta(in_delta), .in_mx(in_mx), .in_my(in_my),
+        .in_sight_negative(in_sight_negative), .in_sight_near(in_sight_near), .in_sight_far(in_sight_far),
+        .in_sight_turned(in_sight_turned), .in_sight_disc(in_sight_disc), .in_depth(in_depth),
+        .in_depth_low(in_depth_low), .in_depth_high(in_depth_high), .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1), .in_attribute_2(in_attribute_2), .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4), .in_attribute_5(in_attribute_5), .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7), .in_attribute_8(in_attribute_8), .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10), .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12), .in_cardinal_0(in_cardinal_0), .in_left(in_left),
+        .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom), .in_first_sum(in_first_sum),
+        .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
+        .in_last_difference(in_last_difference), .in_tile(in_tile),
+        .copy_valid(payloads_copy_valid), .copy_ready(reorder_in_ready), .copy_end(payloads_copy_end),
+        .copy_left(payloads_copy_left), .copy_right(payloads_copy_right), .copy_top(payloads_copy_top),
+        .copy_bottom(payloads_copy_bottom), .copy_first_sum(payloads_copy_first_sum),
+        .copy_last_sum(payloads_copy_last_sum), .copy_first_difference(payloads_copy_first_difference),
+        .copy_last_difference(payloads_copy_last_difference), .copy_tile(payloads_copy_tile),
+        .copy_splat(payloads_copy_splat),
+        .placed_valid(tile_cache_out_valid), .placed_ready(payloads_placed_ready),
+        .placed_end(tile_cache_out_end), .placed_left(tile_cache_out_left),
+        .placed_right(tile_cache_out_right), .placed_top(tile_cache_out_top),
+        .placed_bottom(tile_cache_out_bottom), .placed_first_sum(tile_cache_out_first_sum),
+        .placed_last_sum(tile_cache_out_last_sum), .placed_first_difference(tile_cache_out_first_difference),
+        .placed_last_difference(tile_cache_out_last_difference), .placed_tile(tile_cache_out_tile),
+        .placed_splat(tile_cache_out_splat), .placed_slot(tile_cache_out_slot),
+        .out_valid(payloads_out_valid), .out_ready(rasterizer_in_ready), .out_end(payloads_out_end),
+        .out_center_x(payloads_out_center_x), .out_center_y(payloads_out_center_y), .out_ax(payloads_out_ax),
+        .out_bx(payloads_out_bx), .out_ay(payloads_out_ay), .out_by(payloads_out_by),
+        .out_delta(payloads_out_delta), .out_mx(payloads_out_mx), .out_my(payloads_out_my),
+        .out_sight_negative(payloads_out_sight_negative), .out_sight_near(payloads_out_sight_near),
+        .out_sight_far(payloads_out_sight_far), .out_sight_turned(payloads_out_sight_turned),
+        .out_sight_disc(payloads_out_sight_disc), .out_depth(payloads_out_depth),
+        .out_depth_low(payloads_out_depth_low), .out_depth_high(payloads_out_depth_high),
+        .out_attribute_0(payloads_out_attribute_0), .out_attribute_1(payloads_out_attribute_1),
+        .out_attribute_2(payloads_out_attribute_2), .out_attribute_3(payloads_out_attribute_3),
+        .out_attribute_4(payloads_out_attribute_4), .out_attribute_5(payloads_out_attribute_5),
+        .out_attribute_6(payloads_out_attribute_6), .out_attribute_7(payloads_out_attribute_7),
+        .out_attribute_8(payloads_out_attribute_8), .out_attribute_9(payloads_out_attribute_9),
+        .out_attribute_10(payloads_out_attribute_10), .out_attribute_11(payloads_out_attribute_11),
+        .out_attribute_12(payloads_out_attribute_12), .out_cardinal_0(payloads_out_cardinal_0),
+        .out_left(payloads_out_left), .out_right(payloads_out_right), .out_top(payloads_out_top),
+        .out_bottom(payloads_out_bottom), .out_first_sum(payloads_out_first_sum),
+        .out_last_sum(payloads_out_last_sum), .out_first_difference(payloads_out_first_difference),
+        .out_last_difference(payloads_out_last_difference), .out_tile(payloads_out_tile),
+        .out_slot(payloads_out_slot)
+    );
 
-    assign out_data = head;
+    splat_reorder reorder (
+        .clk(clk), .rst(rst), .in_valid(payloads_copy_valid), .in_ready(reorder_in_ready),
+        .in_end(payloads_copy_end), .in_left(payloads_copy_left), .in_right(payloads_copy_right),
+        .in_top(payloads_copy_top), .in_bottom(payloads_copy_bottom), .in_first_sum(payloads_copy_first_sum),
+        .in_last_sum(payloads_copy_last_sum), .in_first_difference(payloads_copy_first_difference),
+        .in_last_difference(payloads_copy_last_difference), .in_tile(payloads_copy_tile),
+        .in_splat(payloads_copy_splat),
+        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile),
+        .out_splat(reorder_out_splat)
+    );
 
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
+    splat_tile_cache tile_cache (
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_left(reorder_out_left), .in_right(reorder_out_right),
+        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
+        .in_splat(reorder_out_splat),
+        .out_valid(tile_cache_out_valid), .out_ready(payloads_placed_ready), .out_end(tile_cache_out_end),
+        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom), .out_first_sum(tile_cache_out_first_sum),
+        .out_last_sum(tile_cache_out_last_sum), .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_splat(tile_cache_out_splat), .out_slot(tile_cache_out_slot),
+        .pixel_valid(pixel_valid), .pixel_ready(pixel_ready), .pixel_end(pixel_end), .pixel_tile(pixel_tile),
+        .pixel_pixel(pixel_pixel), .pixel_weight(pixel_weight), .pixel_depth(pixel_depth),
+        .pixel_peak(pixel_peak), .pixel_attribute_0(pixel_attribute_0), .pixel_attribute_1(pixel_attribute_1),
+        .pixel_attribute_2(pixel_attribute_2), .pixel_attribute_3(pixel_attribute_3),
+        .pixel_attribute_4(pixel_attribute_4), .pixel_attribute_5(pixel_attribute_5),
+        .pixel_attribute_6(pixel_attribute_6), .pixel_attribute_7(pixel_attribute_7),
+        .pixel_attribute_8(pixel_attribute_8), .pixel_attribute_9(pixel_attribute_9),
+        .pixel_attribute_10(pixel_attribute_10), .pixel_attribute_11(pixel_attribute_11),
+        .pixel_attribute_12(pixel_attribute_12), .pixel_cardinal_0(pixel_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .sample_reads(accumulator_sample_reads),
+        .frame_end(accumulator_frame_end),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .sample_writes(accumulator_sample_writes),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_peak(accumulator_drained_peak), .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .drained_attribute_3(accumulator_drained_attribute_3),
+        .drained_attribute_4(accumulator_drained_attribute_4),
+        .drained_attribute_5(accumulator_drained_attribute_5),
+        .drained_attribute_6(accumulator_drained_attribute_6),
+        .drained_attribute_7(accumulator_drained_attribute_7),
+        .drained_attribute_8(accumulator_drained_attribute_8),
+        .drained_attribute_9(accumulator_drained_attribute_9),
+        .drained_attribute_10(accumulator_drained_attribute_10),
+        .drained_attribute_11(accumulator_drained_attribute_11),
+        .drained_attribute_12(accumulator_drained_attribute_12),
+        .drained_cardinal_0(accumulator_drained_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
+        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
+        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
+        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
+        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
+        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
+        .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
+        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
+        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
+        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
+        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0)
+    );
 
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
+    splat_rasterizer rasterizer (
+        .clk(clk), .rst(rst), .in_valid(payloads_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(payloads_out_end), .in_center_x(payloads_out_center_x), .in_center_y(payloads_out_center_y),
+        .in_ax(payloads_out_ax), .in_bx(payloads_out_bx), .in_ay(payloads_out_ay), .in_by(payloads_out_by),
+        .in_delta(payloads_out_delta), .in_mx(payloads_out_mx), .in_my(payloads_out_my),
+        .in_sight_negative(payloads_out_sight_negative), .in_sight_near(payloads_out_sight_near),
+        .in_sight_far(payloads_out_sight_far), .in_sight_turned(payloads_out_sight_turned),
+        .in_sight_disc(payloads_out_sight_disc), .in_depth(payloads_out_depth),
+        .in_depth_low(payloads_out_depth_low), .in_depth_high(payloads_out_depth_high),
+        .in_attribute_0(payloads_out_attribute_0), .in_attribute_1(payloads_out_attribute_1),
+        .in_attribute_2(payloads_out_attribute_2), .in_attribute_3(payloads_out_attribute_3),
+        .in_attribute_4(payloads_out_attribute_4), .in_attribute_5(payloads_out_attribute_5),
+        .in_attribute_6(payloads_out_attribute_6), .in_attribute_7(payloads_out_attribute_7),
+        .in_attribute_8(payloads_out_attribute_8), .in_attribute_9(payloads_out_attribute_9),
+        .in_attribute_10(payloads_out_attribute_10), .in_attribute_11(payloads_out_attribute_11),
+        .in_attribute_12(payloads_out_attribute_12), .in_cardinal_0(payloads_out_cardinal_0),
+        .in_left(payloads_out_left), .in_right(payloads_out_right), .in_top(payloads_out_top),
+        .in_bottom(payloads_out_bottom), .in_first_sum(payloads_out_first_sum),
+        .in_last_sum(payloads_out_last_sum), .in_first_difference(payloads_out_first_difference),
+        .in_last_difference(payloads_out_last_difference), .in_tile(payloads_out_tile),
+        .in_slot(payloads_out_slot),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
+        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
+        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
+        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
+        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
+        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
+        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .filter_scale(filter_scale),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
+    );
+
+    splat_weighting weighting (
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
+        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
+        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
+        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
+        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
+        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
+        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
+        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
+        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
+        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
+        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
+        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
+        .out_cardinal_0(weighting_out_cardinal_0)
+    );
+
+    splat_accumulator accumulator (
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
+        .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
+        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
+        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
+        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
+        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
+        .in_cardinal_0(weighting_out_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .sample_reads(accumulator_sample_reads), .sample_writes(accumulator_sample_writes),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_peak(accumulator_drained_peak), .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .drained_attribute_3(accumulator_drained_attribute_3),
+        .drained_attribute_4(accumulator_drained_attribute_4),
+        .drained_attribute_5(accumulator_drained_attribute_5),
+        .drained_attribute_6(accumulator_drained_attribute_6),
+        .drained_attribute_7(accumulator_drained_attribute_7),
+        .drained_attribute_8(accumulator_drained_attribute_8),
+        .drained_attribute_9(accumulator_drained_attribute_9),
+        .drained_attribute_10(accumulator_drained_attribute_10),
+        .drained_attribute_11(accumulator_drained_attribute_11),
+        .drained_attribute_12(accumulator_drained_attribute_12),
+        .drained_cardinal_0(accumulator_drained_cardinal_0),
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
+    );
 endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 8
+// banks = 2
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
@@ -1291,7 +1694,11 @@ module splat_accumulator (
     output reg  retire_valid,  // A copy is done with.
     output reg  [2:0] retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
-    input  wire fill_valid,  // Write to a slot.
+    input  wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    input  wire [2:0] change_slot,  // Slot of the tile cache.
+    input  wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    input  wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire fill_valid,  // Write to a slot, until it is carried out.
     input  wire [2:0] fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
@@ -1311,30 +1718,40 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire drain_enable,  // Read of a slot.
+    input  wire drain_enable,  // Read of a slot, until it is carried out.
     input  wire [2:0] drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
-    output wire [27:0] drain_weight,  // Sum of weights.
-    output wire [51:0] drain_depth,  // Sum of weighted depths.
-    output wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
-    output wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    output wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    output wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    output wire drained_valid,  // A pixel that was read.
+    output wire [5:0] drained_pixel,  // Pixel of the tile.
+    output wire [27:0] drained_weight,  // Sum of weights.
+    output wire [51:0] drained_depth,  // Sum of weighted depths.
+    output wire [15:0] drained_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  event_accumulate,  // The accumulator took a sample.
     output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_0_masks [0:7];
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_1_masks [0:7];
     reg valid_1, inside_1, last_1;
     reg [2:0] slot_1;
     reg [5:0] pixel_1;
@@ -1385,23 +1802,17 @@ module splat_accumulator (
     reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
-    wire [319:0] slot_0_read;
-    reg [319:0] slot_0_pixel;
-    wire [319:0] slot_1_read;
-    reg [319:0] slot_1_pixel;
-    wire [319:0] slot_2_read;
-    reg [319:0] slot_2_pixel;
-    wire [319:0] slot_3_read;
-    reg [319:0] slot_3_pixel;
-    wire [319:0] slot_4_read;
-    reg [319:0] slot_4_pixel;
-    wire [319:0] slot_5_read;
-    reg [319:0] slot_5_pixel;
-    wire [319:0] slot_6_read;
-    reg [319:0] slot_6_pixel;
-    wire [319:0] slot_7_read;
-    reg [319:0] slot_7_pixel, stored;
-    reg [2:0] drained_slot;
+    reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
+    reg is_written_1, is_written_2;
+    wire [319:0] bank_0_read;
+    reg [319:0] bank_0_pixel;
+    wire [319:0] bank_1_read;
+    reg [319:0] bank_1_pixel;
+    reg drains_1;
+    reg [5:0] drained_pixel_1;
+    reg drains_2;
+    reg [5:0] drained_pixel_2;
+    reg [319:0] stored;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -1486,17 +1897,19 @@ module splat_accumulator (
     wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
     wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
 
-    wire [319:0] drained_choice = drained_slot[1] ? (drained_slot[0] ? slot_7_pixel : slot_6_pixel) : drained_slot[0] ? slot_5_pixel : slot_4_pixel;
-    wire [319:0] drained_choice_2 = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
-    wire [319:0] drained = drained_slot[2] ? drained_choice : drained_choice_2;
-    wire filling_0 = fill_valid & (fill_slot == 3'd0);
-    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] slot_7_pixels_data_bits = {
-        fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
-        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
-        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
-        fill_cardinal_0
-    };
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
+    wire reads = may_issue_inside & arrived;
+    wire sample_reads_1 = reads & head_pixel[0];
+    wire sample_reads_0 = reads & ~head_pixel[0];
+    wire [1:0] reads_bank = {sample_reads_1, sample_reads_0};
+    wire [1:0] will_write_bank = {inside_7 & pixel_7[0], inside_7 & ~pixel_7[0]};
+    wire [319:0] drained_word = drained_pixel_2[0] ? bank_1_pixel : bank_0_pixel;
+    wire sample_ends_in_0 = inside_8 & ~pixel_8[0];
+    wire changes = ~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]);
+    wire writes_0 = sample_ends_in_0 ? changes : (fill_valid & ~fill_pixel[0]);
+    wire [7:0] bank_1_pixels_address_bits = {slot_8, pixel_8[5:1]};
+    wire [7:0] bank_1_pixels_address_bits_2 = {fill_slot, fill_pixel[5:1]};
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
     wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
@@ -1535,31 +1948,24 @@ module splat_accumulator (
         late_pass_5 ? attribute_11_8 : result_bits_12, late_pass_5 ? attribute_12_8 : result_bits_13,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire head_valid_and_not_head_end = head_valid & ~head_end;
-    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
-    wire on_the_way = |collisions;
-    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 3'd0);
-    wire filling_1 = fill_valid & (fill_slot == 3'd1);
-    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 3'd1);
-    wire filling_2 = fill_valid & (fill_slot == 3'd2);
-    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 3'd2);
-    wire filling_3 = fill_valid & (fill_slot == 3'd3);
-    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 3'd3);
-    wire filling_4 = fill_valid & (fill_slot == 3'd4);
-    wire slot_4_pixel_enable_both = drain_enable & (drain_slot == 3'd4);
-    wire filling_5 = fill_valid & (fill_slot == 3'd5);
-    wire slot_5_pixel_enable_both = drain_enable & (drain_slot == 3'd5);
-    wire filling_6 = fill_valid & (fill_slot == 3'd6);
-    wire slot_6_pixel_enable_both = drain_enable & (drain_slot == 3'd6);
-    wire filling_7 = fill_valid & (fill_slot == 3'd7);
-    wire slot_7_pixel_enable_both = drain_enable & (drain_slot == 3'd7);
+    wire [319:0] bank_1_pixels_data_bits = {
+        fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
+        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
+        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
+        fill_cardinal_0
+    };
+    wire [7:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
+    wire [7:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
+    wire sample_ends_in_1 = inside_8 & pixel_8[0];
+    wire writes_1 = sample_ends_in_1 ? changes : (fill_valid & fill_pixel[0]);
     wire slot_wait = may_issue_inside & ~arrived;
+    wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
     wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
     wire places_out_end = places_out_data[11];
     wire places_out_last = places_out_data[10];
     wire places_out_inside = places_out_data[9];
@@ -1595,78 +2001,96 @@ module splat_accumulator (
     };
     wire [7:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [7:0] arrived_shifted_2 = slot_ready >> head_slot;
-    wire [319:0] stored_choice = slot_2[1] ? (slot_2[0] ? slot_7_pixel : slot_6_pixel) : slot_2[0] ? slot_5_pixel : slot_4_pixel;
-    wire [319:0] stored_choice_2 = slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
+    wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
+    wire [2:0] masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
+    wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
+    wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
+    wire [2:0] masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
+    wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
+    wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
+    wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
+    wire drains_1_either = (~drain_pixel[0] & reads_bank[0]) | (drain_pixel[0] & reads_bank[1]);
+    wire [31:0] pixel_bit = 32'd1 << head_pixel[5:1];
+    wire [63:0] bank_0_masks_data_bits = {
+        change_held[62], change_held[60], change_held[58], change_held[56], change_held[54], change_held[52],
+        change_held[50], change_held[48], change_held[46], change_held[44], change_held[42], change_held[40],
+        change_held[38], change_held[36], change_held[34], change_held[32], change_held[30], change_held[28],
+        change_held[26], change_held[24], change_held[22], change_held[20], change_held[18], change_held[16],
+        change_held[14], change_held[12], change_held[10], change_held[8], change_held[6], change_held[4],
+        change_held[2], change_held[0], 32'd0
+    };
+    wire [63:0] bank_1_masks_data_bits = {
+        change_held[63], change_held[61], change_held[59], change_held[57], change_held[55], change_held[53],
+        change_held[51], change_held[49], change_held[47], change_held[45], change_held[43], change_held[41],
+        change_held[39], change_held[37], change_held[35], change_held[33], change_held[31], change_held[29],
+        change_held[27], change_held[25], change_held[23], change_held[21], change_held[19], change_held[17],
+        change_held[15], change_held[13], change_held[11], change_held[9], change_held[7], change_held[5],
+        change_held[3], change_held[1], 32'd0
+    };
 
+    assign sample_reads = reads_bank;
+    assign sample_writes = will_write_bank;
+    assign masks_written = {
+        bank_1_was_written[31], bank_0_was_written[31], bank_1_was_written[30], bank_0_was_written[30],
+        bank_1_was_written[29], bank_0_was_written[29], bank_1_was_written[28], bank_0_was_written[28],
+        bank_1_was_written[27], bank_0_was_written[27], bank_1_was_written[26], bank_0_was_written[26],
+        bank_1_was_written[25], bank_0_was_written[25], bank_1_was_written[24], bank_0_was_written[24],
+        bank_1_was_written[23], bank_0_was_written[23], bank_1_was_written[22], bank_0_was_written[22],
+        bank_1_was_written[21], bank_0_was_written[21], bank_1_was_written[20], bank_0_was_written[20],
+        bank_1_was_written[19], bank_0_was_written[19], bank_1_was_written[18], bank_0_was_written[18],
+        bank_1_was_written[17], bank_0_was_written[17], bank_1_was_written[16], bank_0_was_written[16],
+        bank_1_was_written[15], bank_0_was_written[15], bank_1_was_written[14], bank_0_was_written[14],
+        bank_1_was_written[13], bank_0_was_written[13], bank_1_was_written[12], bank_0_was_written[12],
+        bank_1_was_written[11], bank_0_was_written[11], bank_1_was_written[10], bank_0_was_written[10],
+        bank_1_was_written[9], bank_0_was_written[9], bank_1_was_written[8], bank_0_was_written[8],
+        bank_1_was_written[7], bank_0_was_written[7], bank_1_was_written[6], bank_0_was_written[6],
+        bank_1_was_written[5], bank_0_was_written[5], bank_1_was_written[4], bank_0_was_written[4],
+        bank_1_was_written[3], bank_0_was_written[3], bank_1_was_written[2], bank_0_was_written[2],
+        bank_1_was_written[1], bank_0_was_written[1], bank_1_was_written[0], bank_0_was_written[0]
+    };
+    assign masks_dirty = {
+        bank_1_was_dirty[31], bank_0_was_dirty[31], bank_1_was_dirty[30], bank_0_was_dirty[30],
+        bank_1_was_dirty[29], bank_0_was_dirty[29], bank_1_was_dirty[28], bank_0_was_dirty[28],
+        bank_1_was_dirty[27], bank_0_was_dirty[27], bank_1_was_dirty[26], bank_0_was_dirty[26],
+        bank_1_was_dirty[25], bank_0_was_dirty[25], bank_1_was_dirty[24], bank_0_was_dirty[24],
+        bank_1_was_dirty[23], bank_0_was_dirty[23], bank_1_was_dirty[22], bank_0_was_dirty[22],
+        bank_1_was_dirty[21], bank_0_was_dirty[21], bank_1_was_dirty[20], bank_0_was_dirty[20],
+        bank_1_was_dirty[19], bank_0_was_dirty[19], bank_1_was_dirty[18], bank_0_was_dirty[18],
+        bank_1_was_dirty[17], bank_0_was_dirty[17], bank_1_was_dirty[16], bank_0_was_dirty[16],
+        bank_1_was_dirty[15], bank_0_was_dirty[15], bank_1_was_dirty[14], bank_0_was_dirty[14],
+        bank_1_was_dirty[13], bank_0_was_dirty[13], bank_1_was_dirty[12], bank_0_was_dirty[12],
+        bank_1_was_dirty[11], bank_0_was_dirty[11], bank_1_was_dirty[10], bank_0_was_dirty[10],
+        bank_1_was_dirty[9], bank_0_was_dirty[9], bank_1_was_dirty[8], bank_0_was_dirty[8],
+        bank_1_was_dirty[7], bank_0_was_dirty[7], bank_1_was_dirty[6], bank_0_was_dirty[6],
+        bank_1_was_dirty[5], bank_0_was_dirty[5], bank_1_was_dirty[4], bank_0_was_dirty[4],
+        bank_1_was_dirty[3], bank_0_was_dirty[3], bank_1_was_dirty[2], bank_0_was_dirty[2],
+        bank_1_was_dirty[1], bank_0_was_dirty[1], bank_1_was_dirty[0], bank_0_was_dirty[0]
+    };
+    assign drained_valid = drains_2;
+    assign drained_pixel = drained_pixel_2;
     assign {
-        drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
-        drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6, drain_attribute_7,
-        drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11, drain_attribute_12,
-        drain_cardinal_0
-    } = drained;
+        drained_weight, drained_depth, drained_peak, drained_attribute_0, drained_attribute_1,
+        drained_attribute_2, drained_attribute_3, drained_attribute_4, drained_attribute_5,
+        drained_attribute_6, drained_attribute_7, drained_attribute_8, drained_attribute_9,
+        drained_attribute_10, drained_attribute_11, drained_attribute_12, drained_cardinal_0
+    } = drained_word;
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
-        .clk(clk), .write(filling_0 | (writes & (slot_8 == 3'd0))),
-        .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[0] ? (issue_inside & (head_slot == 3'd0)) : slot_0_pixel_enable_both),
-        .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_0_pixels (
+        .clk(clk), .write(writes_0),
+        .write_address(sample_ends_in_0 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_0 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_0 | (drain_enable & ~drain_pixel[0])),
+        .read_address(sample_reads_0 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_0_read)
     );
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
-        .clk(clk), .write(filling_1 | (writes & (slot_8 == 3'd1))),
-        .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[1] ? (issue_inside & (head_slot == 3'd1)) : slot_1_pixel_enable_both),
-        .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_2_pixels (
-        .clk(clk), .write(filling_2 | (writes & (slot_8 == 3'd2))),
-        .write_address(filling_2 ? fill_pixel : pixel_8),
-        .write_data(filling_2 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[2] ? (issue_inside & (head_slot == 3'd2)) : slot_2_pixel_enable_both),
-        .read_address(slot_ready[2] ? head_pixel : drain_pixel), .read_data(slot_2_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_3_pixels (
-        .clk(clk), .write(filling_3 | (writes & (slot_8 == 3'd3))),
-        .write_address(filling_3 ? fill_pixel : pixel_8),
-        .write_data(filling_3 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[3] ? (issue_inside & (head_slot == 3'd3)) : slot_3_pixel_enable_both),
-        .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_4_pixels (
-        .clk(clk), .write(filling_4 | (writes & (slot_8 == 3'd4))),
-        .write_address(filling_4 ? fill_pixel : pixel_8),
-        .write_data(filling_4 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[4] ? (issue_inside & (head_slot == 3'd4)) : slot_4_pixel_enable_both),
-        .read_address(slot_ready[4] ? head_pixel : drain_pixel), .read_data(slot_4_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_5_pixels (
-        .clk(clk), .write(filling_5 | (writes & (slot_8 == 3'd5))),
-        .write_address(filling_5 ? fill_pixel : pixel_8),
-        .write_data(filling_5 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[5] ? (issue_inside & (head_slot == 3'd5)) : slot_5_pixel_enable_both),
-        .read_address(slot_ready[5] ? head_pixel : drain_pixel), .read_data(slot_5_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_6_pixels (
-        .clk(clk), .write(filling_6 | (writes & (slot_8 == 3'd6))),
-        .write_address(filling_6 ? fill_pixel : pixel_8),
-        .write_data(filling_6 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[6] ? (issue_inside & (head_slot == 3'd6)) : slot_6_pixel_enable_both),
-        .read_address(slot_ready[6] ? head_pixel : drain_pixel), .read_data(slot_6_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_7_pixels (
-        .clk(clk), .write(filling_7 | (writes & (slot_8 == 3'd7))),
-        .write_address(filling_7 ? fill_pixel : pixel_8),
-        .write_data(filling_7 ? slot_7_pixels_data_bits : result),
-        .read(slot_ready[7] ? (issue_inside & (head_slot == 3'd7)) : slot_7_pixel_enable_both),
-        .read_address(slot_ready[7] ? head_pixel : drain_pixel), .read_data(slot_7_read)
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_1_pixels (
+        .clk(clk), .write(writes_1),
+        .write_address(sample_ends_in_1 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_1 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_1 | (drain_enable & drain_pixel[0])),
+        .read_address(sample_reads_1 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_1_read)
     );
 
     stream_fifo_d64_w12_distributed places (
@@ -1764,6 +2188,8 @@ module splat_accumulator (
             valid_8 <= 1'd0;
             inside_8 <= 1'd0;
             head_valid <= 1'd0;
+            drains_1 <= 1'd0;
+            drains_2 <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
@@ -1786,6 +2212,8 @@ module splat_accumulator (
             inside_7 <= inside_6;
             valid_8 <= valid_7;
             inside_8 <= inside_7;
+            drains_1 <= drain_enable & ~drains_1_either;
+            drains_2 <= drains_1;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -1820,7 +2248,13 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        stored <= slot_2[2] ? stored_choice : stored_choice_2;
+        is_written_1 <= head_pixel[0] ? is_written_1_shifted[0] : is_written_1_shifted_2[0];
+        is_written_2 <= is_written_1;
+        bank_0_pixel <= bank_0_read;
+        bank_1_pixel <= bank_1_read;
+        drained_pixel_1 <= drain_pixel;
+        drained_pixel_2 <= drained_pixel_1;
+        stored <= {320{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -2009,18 +2443,30 @@ module splat_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | slot_1_pixel_enable_both) slot_1_pixel <= slot_1_read;
-        if (slot_ready[2] | slot_2_pixel_enable_both) slot_2_pixel <= slot_2_read;
-        if (slot_ready[3] | slot_3_pixel_enable_both) slot_3_pixel <= slot_3_read;
-        if (slot_ready[4] | slot_4_pixel_enable_both) slot_4_pixel <= slot_4_read;
-        if (slot_ready[5] | slot_5_pixel_enable_both) slot_5_pixel <= slot_5_read;
-        if (slot_ready[6] | slot_6_pixel_enable_both) slot_6_pixel <= slot_6_read;
-        if (slot_ready[7] | slot_7_pixel_enable_both) slot_7_pixel <= slot_7_read;
-        if (drain_enable) drained_slot <= drain_slot;
+        if (changes_0) begin
+            bank_0_was_written <= bank_0_mask[63:32];
+            bank_0_was_dirty <= bank_0_mask[31:0];
+        end
+        if (changes_1) begin
+            bank_1_was_written <= bank_1_mask[63:32];
+            bank_1_was_dirty <= bank_1_mask[31:0];
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & ~head_pixel[0]) | changes_0) begin
+            bank_0_masks[masked_slot_0] <= sample_reads_0 ? (bank_0_mask | {pixel_bit, pixel_bit}) : bank_0_masks_data_bits;
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & head_pixel[0]) | changes_1) begin
+            bank_1_masks[masked_slot_1] <= sample_reads_1 ? (bank_1_mask | {pixel_bit, pixel_bit}) : bank_1_masks_data_bits;
+        end
     end
 
-    wire _unused = &{1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], samples_in_ready, samples_out_valid};
+    wire _unused = &{
+        1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], is_written_1_shifted[31:1],
+        is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -2349,6 +2795,7 @@ module splat_weighting (
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [75:0] delay_10_from_0 [0:8];
+    reg [4:0] credits;
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
@@ -2363,15 +2810,25 @@ module splat_weighting (
     reg [15:0] attribute_10_d1, attribute_10_d2, attribute_10_d3, attribute_10_d4, attribute_11_d1, attribute_11_d2;
     reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
+    reg left;
 
-    wire [339:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y;
     wire [15:0] mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y;
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
+    wire queue_1_in_ready;
+    wire [115:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [95:0] queue_3_out_data;
 
+    assign in_ready = ~credits[4];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire kept = in_flight[9];
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
@@ -2380,180 +2837,399 @@ module splat_weighting (
     wire [23:0] depth_low_d10 = delay_10_from_0_out[35:12];
     wire [23:0] depth_high_d10 = delay_10_from_0_out[59:36];
     wire [15:0] cardinal_0_d10 = delay_10_from_0_out[75:60];
-    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
-    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
-        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4,
-        out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9, out_attribute_10,
-        out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
+        out_depth_high
+    } = queue_1_out_data;
+    assign {
+        out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5,
+        out_attribute_6, out_attribute_7
+    } = queue_2_out_data;
+    assign {
+        out_attribute_8, out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12,
+        out_cardinal_0
+    } = queue_3_out_data;
 
-    stream_skid_w340 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
-        .in_data({
-            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
-            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
-            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y,
-            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
-            mul_f16_unit_copy13_y, cardinal_0_d10
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
-
-    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
-    );
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u16q16_f16_unit_y));
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
+    );
+
+    stream_fifo_d14_w116_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d14_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({
+            mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y
+        }),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d14_w96_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
+            mul_f16_unit_copy13_y, cardinal_0_d10
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 5'd13;
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left};
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            in_flight <= {in_flight[8:0], in_valid};
+            in_flight <= {in_flight[8:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            weight_d8 <= weight_d7;
-            weight_d9 <= weight_d8;
-            weight_d10 <= weight_d9;
-            attribute_0_d1 <= in_attribute_0;
-            attribute_0_d2 <= attribute_0_d1;
-            attribute_0_d3 <= attribute_0_d2;
-            attribute_0_d4 <= attribute_0_d3;
-            attribute_1_d1 <= in_attribute_1;
-            attribute_1_d2 <= attribute_1_d1;
-            attribute_1_d3 <= attribute_1_d2;
-            attribute_1_d4 <= attribute_1_d3;
-            attribute_2_d1 <= in_attribute_2;
-            attribute_2_d2 <= attribute_2_d1;
-            attribute_2_d3 <= attribute_2_d2;
-            attribute_2_d4 <= attribute_2_d3;
-            attribute_3_d1 <= in_attribute_3;
-            attribute_3_d2 <= attribute_3_d1;
-            attribute_3_d3 <= attribute_3_d2;
-            attribute_3_d4 <= attribute_3_d3;
-            attribute_4_d1 <= in_attribute_4;
-            attribute_4_d2 <= attribute_4_d1;
-            attribute_4_d3 <= attribute_4_d2;
-            attribute_4_d4 <= attribute_4_d3;
-            attribute_5_d1 <= in_attribute_5;
-            attribute_5_d2 <= attribute_5_d1;
-            attribute_5_d3 <= attribute_5_d2;
-            attribute_5_d4 <= attribute_5_d3;
-            attribute_6_d1 <= in_attribute_6;
-            attribute_6_d2 <= attribute_6_d1;
-            attribute_6_d3 <= attribute_6_d2;
-            attribute_6_d4 <= attribute_6_d3;
-            attribute_7_d1 <= in_attribute_7;
-            attribute_7_d2 <= attribute_7_d1;
-            attribute_7_d3 <= attribute_7_d2;
-            attribute_7_d4 <= attribute_7_d3;
-            attribute_8_d1 <= in_attribute_8;
-            attribute_8_d2 <= attribute_8_d1;
-            attribute_8_d3 <= attribute_8_d2;
-            attribute_8_d4 <= attribute_8_d3;
-            attribute_9_d1 <= in_attribute_9;
-            attribute_9_d2 <= attribute_9_d1;
-            attribute_9_d3 <= attribute_9_d2;
-            attribute_9_d4 <= attribute_9_d3;
-            attribute_10_d1 <= in_attribute_10;
-            attribute_10_d2 <= attribute_10_d1;
-            attribute_10_d3 <= attribute_10_d2;
-            attribute_10_d4 <= attribute_10_d3;
-            attribute_11_d1 <= in_attribute_11;
-            attribute_11_d2 <= attribute_11_d1;
-            attribute_11_d3 <= attribute_11_d2;
-            attribute_11_d4 <= attribute_11_d3;
-            attribute_12_d1 <= in_attribute_12;
-            attribute_12_d2 <= attribute_12_d1;
-            attribute_12_d3 <= attribute_12_d2;
-            attribute_12_d4 <= attribute_12_d3;
+        weight_d8 <= weight_d7;
+        weight_d9 <= weight_d8;
+        weight_d10 <= weight_d9;
+        attribute_0_d1 <= in_attribute_0;
+        attribute_0_d2 <= attribute_0_d1;
+        attribute_0_d3 <= attribute_0_d2;
+        attribute_0_d4 <= attribute_0_d3;
+        attribute_1_d1 <= in_attribute_1;
+        attribute_1_d2 <= attribute_1_d1;
+        attribute_1_d3 <= attribute_1_d2;
+        attribute_1_d4 <= attribute_1_d3;
+        attribute_2_d1 <= in_attribute_2;
+        attribute_2_d2 <= attribute_2_d1;
+        attribute_2_d3 <= attribute_2_d2;
+        attribute_2_d4 <= attribute_2_d3;
+        attribute_3_d1 <= in_attribute_3;
+        attribute_3_d2 <= attribute_3_d1;
+        attribute_3_d3 <= attribute_3_d2;
+        attribute_3_d4 <= attribute_3_d3;
+        attribute_4_d1 <= in_attribute_4;
+        attribute_4_d2 <= attribute_4_d1;
+        attribute_4_d3 <= attribute_4_d2;
+        attribute_4_d4 <= attribute_4_d3;
+        attribute_5_d1 <= in_attribute_5;
+        attribute_5_d2 <= attribute_5_d1;
+        attribute_5_d3 <= attribute_5_d2;
+        attribute_5_d4 <= attribute_5_d3;
+        attribute_6_d1 <= in_attribute_6;
+        attribute_6_d2 <= attribute_6_d1;
+        attribute_6_d3 <= attribute_6_d2;
+        attribute_6_d4 <= attribute_6_d3;
+        attribute_7_d1 <= in_attribute_7;
+        attribute_7_d2 <= attribute_7_d1;
+        attribute_7_d3 <= attribute_7_d2;
+        attribute_7_d4 <= attribute_7_d3;
+        attribute_8_d1 <= in_attribute_8;
+        attribute_8_d2 <= attribute_8_d1;
+        attribute_8_d3 <= attribute_8_d2;
+        attribute_8_d4 <= attribute_8_d3;
+        attribute_9_d1 <= in_attribute_9;
+        attribute_9_d2 <= attribute_9_d1;
+        attribute_9_d3 <= attribute_9_d2;
+        attribute_9_d4 <= attribute_9_d3;
+        attribute_10_d1 <= in_attribute_10;
+        attribute_10_d2 <= attribute_10_d1;
+        attribute_10_d3 <= attribute_10_d2;
+        attribute_10_d4 <= attribute_10_d3;
+        attribute_11_d1 <= in_attribute_11;
+        attribute_11_d2 <= attribute_11_d1;
+        attribute_11_d3 <= attribute_11_d2;
+        attribute_11_d4 <= attribute_11_d3;
+        attribute_12_d1 <= in_attribute_12;
+        attribute_12_d2 <= attribute_12_d1;
+        attribute_12_d3 <= attribute_12_d2;
+        attribute_12_d4 <= attribute_12_d3;
+    end
+    always @(posedge clk) begin
+        delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 96
+// storage = distributed
+module stream_fifo_d14_w96_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [95:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [95:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [95:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [95:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 128
+// storage = distributed
+module stream_fifo_d14_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
+        end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
-        end
-        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 116
+// storage = distributed
+module stream_fifo_d14_w116_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [115:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [115:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [115:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [115:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point product.
@@ -2748,49 +3424,6 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
             y <= {1'd0, y_choice};
         end
     end
-endmodule
-
-// Queue of two in registers.
-// width = 340
-module stream_skid_w340 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [339:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [339:0] out_data
-);
-    reg second_valid;
-    reg [339:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
@@ -3102,9 +3735,13 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg [3:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [127:0] delay_6_from_0 [0:4];
+    reg [95:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [191:0] delay_9_from_0 [0:7];
+    reg [31:0] delay_6_from_0_copy2 [0:4];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_9_from_0_copy2 [0:7];
     (* ram_style = "distributed" *)
     reg [31:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
@@ -3115,12 +3752,17 @@ module splat_evaluation (
     reg delay_38_from_0 [0:36];
     (* ram_style = "distributed" *)
     reg [31:0] delay_40_from_0 [0:38];
+    reg [7:0] credits;
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
-    reg [127:0] delay_6_from_0_out;
+    reg [95:0] delay_6_from_0_out;
+    reg [2:0] delay_6_from_0_copy2_pointer;
+    reg [31:0] delay_6_from_0_copy2_out;
     reg [2:0] delay_9_from_0_pointer;
-    reg [191:0] delay_9_from_0_out;
+    reg [95:0] delay_9_from_0_out;
+    reg [2:0] delay_9_from_0_copy2_pointer;
+    reg [95:0] delay_9_from_0_copy2_out;
     reg [3:0] delay_14_from_0_pointer;
     reg [31:0] delay_14_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
@@ -3142,8 +3784,8 @@ module splat_evaluation (
     reg [31:0] minus_center_y_d3;
     reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
     reg [73:0] in_flight;
+    reg left, dropped;
 
-    wire [27:0] queue_out_data;
     wire [31:0] to_float_u10q1_f32_ftz_unit_y, to_float_u10q1_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y;
     wire [31:0] add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
@@ -3154,27 +3796,31 @@ module splat_evaluation (
     wire [31:0] min_f32_ftz_unit_y;
     wire lt_f32_ftz_unit_y;
     wire [15:0] to_fixed_f32_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
+    wire queue_1_in_ready;
+    wire [27:0] queue_1_out_data;
 
-    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
-    wire end_d74 = delay_5_from_0_out[0];
-    wire last_d74 = delay_5_from_0_out[1];
-    wire inside_out_d5 = delay_5_from_0_out[2];
-    wire [2:0] slot_d74 = delay_74_from_0_out[2:0];
-    wire [5:0] pixel_out_d74 = delay_74_from_0_out[8:3];
+    assign in_ready = ~credits[7];
     wire [31:0] y_times_my_d6 = delay_6_from_0_out[63:32];
     wire [31:0] s2_squared_d6 = delay_6_from_0_out[95:64];
     wire [31:0] ay_d9 = delay_9_from_0_out[31:0];
     wire [31:0] ax_d9 = delay_9_from_0_out[63:32];
     wire [31:0] by_d9 = delay_9_from_0_out[95:64];
-    wire [31:0] bx_d9 = delay_9_from_0_out[127:96];
-    wire [31:0] mx_d9 = delay_9_from_0_out[159:128];
-    wire [31:0] my_d9 = delay_9_from_0_out[191:160];
+    wire [31:0] bx_d9 = delay_9_from_0_copy2_out[31:0];
+    wire [31:0] mx_d9 = delay_9_from_0_copy2_out[63:32];
+    wire [31:0] my_d9 = delay_9_from_0_copy2_out[95:64];
     wire sight_turned_d26 = delay_26_from_0_out[63];
     wire [31:0] s1_d6 = delay_6_from_0_out[31:0];
     wire [31:0] rho_squared_chosen = sight_turned_d26 ? add_f32_ftz_unit_copy6_y : s1_d6;
     wire [31:0] rho_squared_chosen_copy2 = sight_turned_d26 ? s1_d6 : add_f32_ftz_unit_copy6_y;
-    wire [31:0] rho_squared_chosen_squared_d6 = delay_6_from_0_out[127:96];
     wire [31:0] rho_squared_chosen_copy3 = delay_38_from_0_out ? div_f32_ftz_unit_y : 32'h7f800000;
+    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
+    wire kept = in_flight[73] & end_or_last_or_inside_out_d5;
+    wire end_d74 = delay_5_from_0_out[0];
+    wire last_d74 = delay_5_from_0_out[1];
+    wire inside_out_d5 = delay_5_from_0_out[2];
+    wire [2:0] slot_d74 = delay_74_from_0_out[2:0];
+    wire [5:0] pixel_out_d74 = delay_74_from_0_out[8:3];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire sight_negative_d26 = delay_26_from_0_out[0];
     wire rho_squared_unequal = sight_negative_d26 ^ rho_squared_chosen_copy2[31];
     wire not_rho_squared_unequal = ~rho_squared_unequal;
@@ -3190,159 +3836,162 @@ module splat_evaluation (
     wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
     wire [31:0] rho_squared_chosen_copy4 = delay_25_from_0_out ? mul_f32_ftz_unit_copy12_y : 32'h7f800000;
 
-    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
+    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
 
     memory_1w1r #(.WIDTH(1), .DEPTH(67)) delay_68_from_0 (
-        .clk(clk), .write(in_ready), .write_address(delay_68_from_0_pointer), .write_data(in_end),
-        .read(in_ready), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
+        .clk(clk), .write(1'd1), .write_address(delay_68_from_0_pointer), .write_data(in_end),
+        .read(1'd1), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
     );
 
     memory_1w1r #(.WIDTH(1), .DEPTH(68)) delay_69_from_0 (
-        .clk(clk), .write(in_ready), .write_address(delay_69_from_0_pointer), .write_data(in_last),
-        .read(in_ready), .read_address(delay_69_from_0_pointer), .read_data(delay_69_from_0_out)
+        .clk(clk), .write(1'd1), .write_address(delay_69_from_0_pointer), .write_data(in_last),
+        .read(1'd1), .read_address(delay_69_from_0_pointer), .read_data(delay_69_from_0_out)
     );
 
     memory_1w1r #(.WIDTH(9), .DEPTH(73)) delay_74_from_0 (
-        .clk(clk), .write(in_ready), .write_address(delay_74_from_0_pointer),
+        .clk(clk), .write(1'd1), .write_address(delay_74_from_0_pointer),
         .write_data({in_row[2:0], in_column[2:0], in_slot}),
-        .read(in_ready), .read_address(delay_74_from_0_pointer), .read_data(delay_74_from_0_out)
-    );
-
-    stream_skid_w28 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[73] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
-        .in_data({end_d74, last_d74, inside_out_d5, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .read(1'd1), .read_address(delay_74_from_0_pointer), .read_data(delay_74_from_0_out)
     );
 
     float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a({in_column, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_y)
     );
 
     float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a({in_row, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(minus_center_x_d3),
+        .clk(clk), .enable(1'd1), .a(to_float_u10q1_f32_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(minus_center_y_d3),
+        .clk(clk), .enable(1'd1), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y),
         .b({~mul_f32_ftz_unit_copy2_y[31], mul_f32_ftz_unit_copy2_y[30:0]}), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_y),
         .b({~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]}), .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(delay_14_from_0_out), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(delay_14_from_0_out), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(y_times_my_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_y), .b(y_times_my_d6),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(s2_squared_d6),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_y), .b(s2_squared_d6),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(ay_d9), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(ay_d9), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(by_d9), .y(mul_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(by_d9), .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(mx_d9), .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(mx_d9), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(my_d9), .y(mul_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(my_d9), .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(rho_squared_chosen),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen), .b(rho_squared_chosen),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(add_f32_ftz_unit_copy4_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_y), .b(add_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy8_y), .b(filter_scale),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_div_s28_f32ftz div_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(rho_squared_chosen_squared_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_y), .b(delay_6_from_0_copy2_out),
         .y(div_f32_ftz_unit_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy3), .b(delay_40_from_0_out),
+        .clk(clk), .enable(1'd1), .a(rho_squared_chosen_copy3), .b(delay_40_from_0_out),
         .y(min_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(min_f32_ftz_unit_y), .b(32'h3f800000), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_y), .b(32'h3f800000), .y(lt_f32_ftz_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w16_f16_unsigned to_fixed_f32_ftz_u16q16_unit (
-        .clk(clk), .enable(in_ready), .a(min_f32_ftz_unit_y), .y(to_fixed_f32_ftz_u16q16_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_y), .y(to_fixed_f32_ftz_u16q16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(in_ready), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+    );
+
+    stream_fifo_d78_w28 queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d74, last_d74, inside_out_d5, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 8'd77;
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
+            delay_6_from_0_copy2_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
+            delay_9_from_0_copy2_pointer <= 3'd0;
             delay_14_from_0_pointer <= 4'd0;
             delay_25_from_0_pointer <= 5'd0;
             delay_26_from_0_pointer <= 5'd0;
@@ -3352,10 +4001,15 @@ module splat_evaluation (
             delay_69_from_0_pointer <= 7'd0;
             delay_74_from_0_pointer <= 7'd0;
             in_flight <= 74'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+            dropped <= 1'd0;
+        end else begin
+            credits <= (credits - {7'd0, in_valid_and_in_ready}) + {7'd0, left} + {7'd0, dropped};
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_6_from_0_copy2_pointer <= (delay_6_from_0_copy2_pointer == 3'd4) ? (delay_6_from_0_copy2_pointer - 3'd4) : (delay_6_from_0_copy2_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+            delay_9_from_0_copy2_pointer <= (delay_9_from_0_copy2_pointer == 3'd7) ? (delay_9_from_0_copy2_pointer - 3'd7) : (delay_9_from_0_copy2_pointer + 3'd1);
             delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
             delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
@@ -3364,67 +4018,133 @@ module splat_evaluation (
             delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
             delay_69_from_0_pointer <= (delay_69_from_0_pointer == 7'd67) ? (delay_69_from_0_pointer - 7'd67) : (delay_69_from_0_pointer + 7'd1);
             delay_74_from_0_pointer <= (delay_74_from_0_pointer == 7'd72) ? (delay_74_from_0_pointer - 7'd72) : (delay_74_from_0_pointer + 7'd1);
-            in_flight <= {in_flight[72:0], in_valid};
+            in_flight <= {in_flight[72:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
+            dropped <= in_flight[73] & ~end_or_last_or_inside_out_d5;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            end_d69 <= delay_68_from_0_out;
-            minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
-            minus_center_x_d2 <= minus_center_x_d1;
-            minus_center_x_d3 <= minus_center_x_d2;
-            minus_center_y_d1 <= {~in_center_y[31], in_center_y[30:0]};
-            minus_center_y_d2 <= minus_center_y_d1;
-            minus_center_y_d3 <= minus_center_y_d2;
-            not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
-            rho_squared_in_order_d1 <= rho_squared_in_order;
-            rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
-            not_end_d1 <= not_end;
+        end_d69 <= delay_68_from_0_out;
+        minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
+        minus_center_x_d2 <= minus_center_x_d1;
+        minus_center_x_d3 <= minus_center_x_d2;
+        minus_center_y_d1 <= {~in_center_y[31], in_center_y[30:0]};
+        minus_center_y_d2 <= minus_center_y_d1;
+        minus_center_y_d3 <= minus_center_y_d2;
+        not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
+        rho_squared_in_order_d1 <= rho_squared_in_order;
+        rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
+        not_end_d1 <= not_end;
+    end
+    always @(posedge clk) begin
+        delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_69_from_0_out, end_d69};
+        delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_6_from_0[delay_6_from_0_pointer] <= {mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy3_y};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_6_from_0_copy2[delay_6_from_0_copy2_pointer] <= mul_f32_ftz_unit_copy9_y;
+        delay_6_from_0_copy2_out <= delay_6_from_0_copy2[delay_6_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_9_from_0[delay_9_from_0_pointer] <= {in_by, in_ax, in_ay};
+        delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_9_from_0_copy2[delay_9_from_0_copy2_pointer] <= {in_my, in_mx, in_bx};
+        delay_9_from_0_copy2_out <= delay_9_from_0_copy2[delay_9_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
+        delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_25_from_0[delay_25_from_0_pointer] <= in_sight_disc;
+        delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_26_from_0[delay_26_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
+        delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_38_from_0[delay_38_from_0_pointer] <= rho_squared_both_copy2;
+        delay_38_from_0_out <= delay_38_from_0[delay_38_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_40_from_0[delay_40_from_0_pointer] <= rho_squared_chosen_copy4;
+        delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 78
+// width = 28
+module stream_fifo_d78_w28 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [27:0] item;
+
+    wire has_room = ~(held == 7'd78);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(78)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd77) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd77) ? 7'd0 : (read_address + 7'd1);
         end
     end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_69_from_0_out, end_d69};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd78);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd78)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+`endif
     end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy6_y,
-                add_f32_ftz_unit_copy3_y
-            };
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
-        end
-        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
-        if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= in_sight_disc;
-        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_26_from_0[delay_26_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
-        end
-        if (in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_38_from_0[delay_38_from_0_pointer] <= rho_squared_both_copy2;
-        if (in_ready) delay_38_from_0_out <= delay_38_from_0[delay_38_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_40_from_0[delay_40_from_0_pointer] <= rho_squared_chosen_copy4;
-        if (in_ready) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
-    end
+`endif
 endmodule
 
 // Sampled function, interpolated linearly.
@@ -4211,86 +4931,12 @@ module float_from_fixed_s3_f32ftz_w10_f1_unsigned (
     wire _unused = &{1'b0, significand_s2[25]};
 endmodule
 
-// Queue of two in registers.
-// width = 28
-module stream_skid_w28 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
-);
-    reg second_valid;
-    reg [27:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Control of the tile slots: placement, exchange with memory, end of frame.
 // slots = 8
 module splat_tile_cache (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
     input  wire in_end,  // Closes the frame.
-    input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [31:0] in_ax,  // `A` in x.
-    input  wire [31:0] in_bx,  // `B` in x.
-    input  wire [31:0] in_ay,  // `A` in y.
-    input  wire [31:0] in_by,  // `B` in y.
-    input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [31:0] in_mx,  // `m` in x.
-    input  wire [31:0] in_my,  // `m` in y.
-    input  wire in_sight_negative,  // `D` is negative before the eye.
-    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
-    input  wire [15:0] in_attribute_3,  // Attributes.
-    input  wire [15:0] in_attribute_4,  // Attributes.
-    input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
-    input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
@@ -4300,39 +4946,9 @@ module splat_tile_cache (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
+    input  wire [10:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
-    output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [31:0] out_ax,  // `A` in x.
-    output wire [31:0] out_bx,  // `B` in x.
-    output wire [31:0] out_ay,  // `A` in y.
-    output wire [31:0] out_by,  // `B` in y.
-    output wire [31:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [31:0] out_mx,  // `m` in x.
-    output wire [31:0] out_my,  // `m` in y.
-    output wire out_sight_negative,  // `D` is negative before the eye.
-    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
-    output wire [15:0] out_attribute_3,  // Attributes.
-    output wire [15:0] out_attribute_4,  // Attributes.
-    output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
-    output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
@@ -4342,47 +4958,8 @@ module splat_tile_cache (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire [10:0] out_splat,  // Place of its splat's payload.
     output wire [2:0] out_slot,  // Slot of the tile cache.
-    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
-    output reg  [11:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
-    input  wire [27:0] data_weight,  // Sum of weights.
-    input  wire [51:0] data_depth,  // Sum of weighted depths.
-    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
-    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
-    output wire [11:0] write_tile,  // Tile index.
-    output wire [5:0] write_pixel,  // Pixel of the tile.
-    output wire [27:0] write_weight,  // Sum of weights.
-    output wire [51:0] write_depth,  // Sum of weighted depths.
-    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
-    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
     output wire [11:0] pixel_tile,  // Tile index.
@@ -4407,8 +4984,80 @@ module splat_tile_cache (
     output wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
     input  wire [2:0] retire_slot,  // Slot of the tile cache.
+    output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    output wire [2:0] change_slot,  // Slot of the tile cache.
+    output wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    output wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
     input  wire frame_end,  // The accumulator is done with the frame.
-    output reg  fill_valid,  // Write to a slot.
+    input  wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    input  wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    input  wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [11:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    output wire drain_enable,  // Read of a slot, until it is carried out.
+    output wire [2:0] drain_slot,  // Slot of the tile cache.
+    output wire [5:0] drain_pixel,  // Pixel of the tile.
+    input  wire drained_valid,  // A pixel that was read.
+    input  wire [5:0] drained_pixel,  // Pixel of the tile.
+    input  wire [27:0] drained_weight,  // Sum of weights.
+    input  wire [51:0] drained_depth,  // Sum of weighted depths.
+    input  wire [15:0] drained_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire fill_valid,  // Write to a slot, until it is carried out.
     output wire [2:0] fill_slot,  // Slot of the tile cache.
     output reg  [5:0] fill_pixel,  // Pixel of the tile.
     output reg  [27:0] fill_weight,  // Sum of weights.
@@ -4427,61 +5076,10 @@ module splat_tile_cache (
     output reg  [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire drain_enable,  // Read of a slot.
-    output wire [2:0] drain_slot,  // Slot of the tile cache.
-    output wire [5:0] drain_pixel,  // Pixel of the tile.
-    input  wire [27:0] drain_weight,  // Sum of weights.
-    input  wire [51:0] drain_depth,  // Sum of weighted depths.
-    input  wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
-    input  wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
     reg head_valid;
     reg head_end;  // Closes the frame.
-    reg [31:0] head_center_x;  // Projected center (px), the origin of what follows.
-    reg [31:0] head_center_y;  // Projected center (px), the origin of what follows.
-    reg [31:0] head_ax;  // `A` in x.
-    reg [31:0] head_bx;  // `B` in x.
-    reg [31:0] head_ay;  // `A` in y.
-    reg [31:0] head_by;  // `B` in y.
-    reg [31:0] head_delta;  // The determinant of `A` and `B`.
-    reg [31:0] head_mx;  // `m` in x.
-    reg [31:0] head_my;  // `m` in y.
-    reg head_sight_negative;  // `D` is negative before the eye.
-    reg [30:0] head_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    reg [30:0] head_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    reg head_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    reg head_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    reg [23:0] head_depth;  // Depth.
-    reg [23:0] head_depth_low;  // What is nearer hides the splat.
-    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
-    reg [15:0] head_attribute_0;  // Attributes.
-    reg [15:0] head_attribute_1;  // Attributes.
-    reg [15:0] head_attribute_2;  // Attributes.
-    reg [15:0] head_attribute_3;  // Attributes.
-    reg [15:0] head_attribute_4;  // Attributes.
-    reg [15:0] head_attribute_5;  // Attributes.
-    reg [15:0] head_attribute_6;  // Attributes.
-    reg [15:0] head_attribute_7;  // Attributes.
-    reg [15:0] head_attribute_8;  // Attributes.
-    reg [15:0] head_attribute_9;  // Attributes.
-    reg [15:0] head_attribute_10;  // Attributes.
-    reg [15:0] head_attribute_11;  // Attributes.
-    reg [15:0] head_attribute_12;  // Attributes.
-    reg [15:0] head_cardinal_0;  // Attributes.
     reg [2:0] head_left;  // First column.
     reg [2:0] head_right;  // Last column.
     reg [2:0] head_top;  // First row.
@@ -4491,77 +5089,115 @@ module splat_tile_cache (
     reg [3:0] head_first_difference;  // Smallest difference.
     reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
-    reg [2:0] mode;
+    reg [10:0] head_splat;  // Place of its splat's payload.
+    reg [1:0] mode;
     reg frame_ended;
-    reg [11:0] code;
-    reg code_read, looking, looked, moving;
+    reg [11:0] place;
+    reg walking, place_read;
+    reg [11:0] read_place;
+    reg place_seen;
+    reg [11:0] seen_place;
+    reg [63:0] mask;
+    reg looking;
+    reg [1:0] unchanged;
+    reg changed, moving;
     reg [2:0] slot;
-    reg evict;
-    reg [11:0] evict_tile;
-    reg load;
-    reg [6:0] drained;
-    reg showing;
-    reg [5:0] shown_pixel;
-    reg holding;
-    reg [5:0] held_pixel;
-    reg [6:0] filled;
+    reg comes;
+    reg [11:0] tile;
+    reg goes;
+    reg [11:0] goes_tile;
+    reg [63:0] wanted_rest;
+    reg [2:0] wanted_row;
+    reg [7:0] wanted_left;
+    reg [11:0] wanted_tile;
+    reg [5:0] awaited;
+    reg [2:0] came;
+    reg filling;
+    reg [1:0] taken_banks;
+    reg [63:0] leaving_rest;
+    reg [2:0] leaving_row;
+    reg [7:0] leaving_left;
+    reg [3:0] owed;
     reg [2:0] next;
     reg [11:0] tile_0;
     reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg used_0, is_of_copy_0, is_of_code_0;
+    reg used_0, is_of_copy_0;
     reg [11:0] tile_1;
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg used_1, is_of_copy_1, is_of_code_1;
+    reg used_1, is_of_copy_1;
     reg [11:0] tile_2;
     reg resident_2, ready_2;
     reg [7:0] in_flight_2;
-    reg used_2, is_of_copy_2, is_of_code_2;
+    reg used_2, is_of_copy_2;
     reg [11:0] tile_3;
     reg resident_3, ready_3;
     reg [7:0] in_flight_3;
-    reg used_3, is_of_copy_3, is_of_code_3;
+    reg used_3, is_of_copy_3;
     reg [11:0] tile_4;
     reg resident_4, ready_4;
     reg [7:0] in_flight_4;
-    reg used_4, is_of_copy_4, is_of_code_4;
+    reg used_4, is_of_copy_4;
     reg [11:0] tile_5;
     reg resident_5, ready_5;
     reg [7:0] in_flight_5;
-    reg used_5, is_of_copy_5, is_of_code_5;
+    reg used_5, is_of_copy_5;
     reg [11:0] tile_6;
     reg resident_6, ready_6;
     reg [7:0] in_flight_6;
-    reg used_6, is_of_copy_6, is_of_code_6;
+    reg used_6, is_of_copy_6;
     reg [11:0] tile_7;
     reg resident_7, ready_7;
     reg [7:0] in_flight_7;
-    reg used_7, is_of_copy_7, is_of_code_7;
-    wire stored_touched;
-    reg touched;
+    reg used_7, is_of_copy_7;
+    wire [63:0] stored_mask;
 
     wire in_queue_out_valid;
-    wire [689:0] in_queue_out_data;
+    wire [51:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [692:0] out_queue_out_data;
-    wire write_queue_in_ready;
-    wire [337:0] write_queue_out_data;
+    wire [54:0] out_queue_out_data;
     wire pixel_queue_in_ready;
     wire [338:0] pixel_queue_out_data;
+    wire read_queue_in_ready;
+    wire [21:0] read_queue_out_data;
+    wire asked_runs_in_ready, asked_runs_out_valid;
+    wire [21:0] asked_runs_out_data;
+    wire write_queue_in_ready;
+    wire [337:0] write_queue_out_data;
 
-    wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire mode_is_6 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
-    wire mode_is_5 = mode == 3'd5;
-    wire draining = mode_is_5 | (moving & evict);
-    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & drain_step_either;
-    wire mode_is_0 = mode == 3'd0;
-    wire mode_is_4 = mode == 3'd4;
-    wire mode_is_3 = mode == 3'd3;
-    wire head_takes = ~head_valid;
-    wire head_waits = (mode == 3'd1) & head_valid;
+    wire [63:0] mask_that_comes = {64{comes}} & mask;
+    wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
+    wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
+    wire leaving_place_either = leaving_left[0] | leaving_left[1];
+    wire leaving_place_both_2 = leaving_left[2] & ~leaving_place_either;
+    wire [2:0] leaving_place_either_2 = ({3{leaving_place_both}} & 3'd1) | ({3{leaving_place_both_2}} & 3'd2);
+    wire leaving_place_either_3 = leaving_place_either | leaving_left[2];
+    wire leaving_place_both_3 = leaving_left[3] & ~leaving_place_either_3;
+    wire leaving_place_either_4 = leaving_place_either_3 | leaving_left[3];
+    wire leaving_place_both_4 = leaving_left[4] & ~leaving_place_either_4;
+    wire [2:0] leaving_place_either_5 = leaving_place_either_2 | ({3{leaving_place_both_3}} & 3'd3) | ({3{leaving_place_both_4}} & 3'd4);
+    wire leaving_place_either_6 = leaving_place_either_4 | leaving_left[4];
+    wire leaving_place_both_5 = leaving_left[5] & ~leaving_place_either_6;
+    wire leaving_place_either_7 = leaving_place_either_6 | leaving_left[5];
+    wire leaving_place_both_6 = leaving_left[6] & ~leaving_place_either_7;
+    wire [2:0] leaving_place_either_8 = leaving_place_either_5 | ({3{leaving_place_both_5}} & 3'd5) | ({3{leaving_place_both_6}} & 3'd6);
+    wire leaving_place_both_7 = leaving_left[7] & ~(leaving_place_either_7 | leaving_left[6]);
+    wire [2:0] leaving_place = leaving_place_either_8 | {3{leaving_place_both_7}};
+    wire mode_is_3 = mode == 2'd3;
+    wire leaving_is_empty = (leaving_rest == 64'd0) & (leaving_left == 8'd0);
+    wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
+    wire may_fill_either = leaving_is_empty | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
+    wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
+    wire fills = filling & ~fills_shifted[0];
+    wire may_fill = moving & may_fill_either & (~filling | fills);
+    wire takes_data = asked_runs_out_valid & (mode_is_3 ? pixel_queue_in_ready : may_fill);
+    wire mask_is_kept = changed & goes;
+    wire mode_is_0 = mode == 2'd0;
+    wire has_pixels = place_seen & |mask;
+    wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
+    wire advance = mode_is_3 & (~has_pixels | wanted_is_empty);
+    wire head_waits = (mode == 2'd1) & head_valid;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
@@ -4577,6 +5213,23 @@ module splat_tile_cache (
         resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
     };
     wire copy_hit = |copy_hit_bits;
+    wire waits_inverted = ~(looking | |unchanged | (changed | moving));
+    wire next_is_0 = next == 3'd0;
+    wire next_is_1 = next == 3'd1;
+    wire vacate_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
+    wire next_is_2 = next == 3'd2;
+    wire next_is_3 = next == 3'd3;
+    wire vacate_either_2 = vacate_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
+    wire next_is_4 = next == 3'd4;
+    wire vacate_either_3 = vacate_either_2 | (next_is_4 & ((in_flight_4 == 8'd0) & ~used_4));
+    wire next_is_5 = next == 3'd5;
+    wire vacate_either_4 = vacate_either_3 | (next_is_5 & ((in_flight_5 == 8'd0) & ~used_5));
+    wire next_is_6 = next == 3'd6;
+    wire vacate_either_5 = vacate_either_4 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6));
+    wire next_is_7 = next == 3'd7;
+    wire vacate_either_6 = vacate_either_5 | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either_6));
+    wire head_takes = ~head_valid;
     wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
     wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
     wire send_either_3 = send_either_2 | (resident_4_and_is_of_copy_4 & &in_flight_4) | (resident_5_and_is_of_copy_5 & &in_flight_5);
@@ -4588,156 +5241,208 @@ module splat_tile_cache (
     wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{resident_3_and_is_of_copy_3}} & 3'd3) | ({3{resident_4_and_is_of_copy_4}} & 3'd4);
     wire [2:0] copy_slot_either_3 = copy_slot_either_2 | ({3{resident_5_and_is_of_copy_5}} & 3'd5) | ({3{resident_6_and_is_of_copy_6}} & 3'd6);
     wire [2:0] copy_slot = copy_slot_either_3 | {3{resident_7_and_is_of_copy_7}};
-    wire held_leaves = holding & drain_step;
-    wire close = (mode == 3'd7) & pixel_queue_in_ready;
-    wire beat = take_data & data_valid;
-    wire mode_is_6_and_beat = mode_is_6 & beat;
-    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
-    wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[689];
-    wire [31:0] in_queue_out_center_x = in_queue_out_data[688:657];
-    wire [31:0] in_queue_out_center_y = in_queue_out_data[656:625];
-    wire [31:0] in_queue_out_ax = in_queue_out_data[624:593];
-    wire [31:0] in_queue_out_bx = in_queue_out_data[592:561];
-    wire [31:0] in_queue_out_ay = in_queue_out_data[560:529];
-    wire [31:0] in_queue_out_by = in_queue_out_data[528:497];
-    wire [31:0] in_queue_out_delta = in_queue_out_data[496:465];
-    wire [31:0] in_queue_out_mx = in_queue_out_data[464:433];
-    wire [31:0] in_queue_out_my = in_queue_out_data[432:401];
-    wire in_queue_out_sight_negative = in_queue_out_data[400];
-    wire [30:0] in_queue_out_sight_near = in_queue_out_data[399:369];
-    wire [30:0] in_queue_out_sight_far = in_queue_out_data[368:338];
-    wire in_queue_out_sight_turned = in_queue_out_data[337];
-    wire in_queue_out_sight_disc = in_queue_out_data[336];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[335:312];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[311:288];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[287:264];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[263:248];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[247:232];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[231:216];
-    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[215:200];
-    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[199:184];
-    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[183:168];
-    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[167:152];
-    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[151:136];
-    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[135:120];
-    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[119:104];
-    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[103:88];
-    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[87:72];
-    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[71:56];
-    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[55:40];
-    wire [2:0] in_queue_out_left = in_queue_out_data[39:37];
-    wire [2:0] in_queue_out_right = in_queue_out_data[36:34];
-    wire [2:0] in_queue_out_top = in_queue_out_data[33:31];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[30:28];
-    wire [3:0] in_queue_out_first_sum = in_queue_out_data[27:24];
-    wire [3:0] in_queue_out_last_sum = in_queue_out_data[23:20];
-    wire [3:0] in_queue_out_first_difference = in_queue_out_data[19:16];
-    wire [3:0] in_queue_out_last_difference = in_queue_out_data[15:12];
-    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
-    wire last_code = &code;
-    wire finish_inverted = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
-    wire showing_or_holding = showing | holding;
-    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
-    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
-    wire resident_1_and_is_of_code_1 = resident_1 & is_of_code_1;
-    wire resident_2_and_is_of_code_2 = resident_2 & is_of_code_2;
-    wire resident_3_and_is_of_code_3 = resident_3 & is_of_code_3;
-    wire resident_4_and_is_of_code_4 = resident_4 & is_of_code_4;
-    wire resident_5_and_is_of_code_5 = resident_5 & is_of_code_5;
-    wire resident_6_and_is_of_code_6 = resident_6 & is_of_code_6;
-    wire resident_7_and_is_of_code_7 = resident_7 & is_of_code_7;
-    wire [7:0] sent_hit_bits = {
-        resident_0 & is_of_code_0, resident_1_and_is_of_code_1, resident_2_and_is_of_code_2,
-        resident_3_and_is_of_code_3, resident_4_and_is_of_code_4, resident_5_and_is_of_code_5,
-        resident_6_and_is_of_code_6, resident_7_and_is_of_code_7
+    wire close_both = wanted_is_empty & (awaited == 6'd0);
+    wire close = mode_is_3 & ~(walking | place_read | place_seen) & (close_both & pixel_queue_in_ready);
+    wire beat = takes_data & data_valid;
+    wire visible = mode_is_3 & beat & |data_weight;
+    wire [11:0] asked_runs_out_tile = asked_runs_out_data[21:10];
+    wire [5:0] coming_pixel = asked_runs_out_pixel + {3'd0, came};
+    wire asks = |wanted_left & (read_queue_in_ready & asked_runs_in_ready);
+    wire wanted_place_both = wanted_left[1] & ~wanted_left[0];
+    wire wanted_left_0_or_wanted_left_1 = wanted_left[0] | wanted_left[1];
+    wire wanted_place_both_2 = wanted_left[2] & ~wanted_left_0_or_wanted_left_1;
+    wire [2:0] wanted_place_either = ({3{wanted_place_both}} & 3'd1) | ({3{wanted_place_both_2}} & 3'd2);
+    wire wanted_place_either_2 = wanted_left_0_or_wanted_left_1 | wanted_left[2];
+    wire wanted_place_both_3 = wanted_left[3] & ~wanted_place_either_2;
+    wire wanted_place_either_3 = wanted_place_either_2 | wanted_left[3];
+    wire wanted_place_both_4 = wanted_left[4] & ~wanted_place_either_3;
+    wire [2:0] wanted_place_either_4 = wanted_place_either | ({3{wanted_place_both_3}} & 3'd3) | ({3{wanted_place_both_4}} & 3'd4);
+    wire wanted_place_either_5 = wanted_place_either_3 | wanted_left[4];
+    wire wanted_place_both_5 = wanted_left[5] & ~wanted_place_either_5;
+    wire wanted_place_either_6 = wanted_place_either_5 | wanted_left[5];
+    wire wanted_place_both_6 = wanted_left[6] & ~wanted_place_either_6;
+    wire [2:0] wanted_place_either_7 = wanted_place_either_4 | ({3{wanted_place_both_5}} & 3'd5) | ({3{wanted_place_both_6}} & 3'd6);
+    wire wanted_place_both_7 = wanted_left[7] & ~(wanted_place_either_6 | wanted_left[6]);
+    wire [2:0] wanted_place = wanted_place_either_7 | {3{wanted_place_both_7}};
+    wire wanted_count_both = wanted_left[1] & (wanted_place_both | wanted_left[0]);
+    wire wanted_count_both_2 = wanted_left[2] & (wanted_place_both_2 | wanted_count_both);
+    wire [3:0] wanted_count_either = ({4{wanted_left[0] & ~wanted_count_both}} & 4'd1) | ({4{wanted_count_both & ~wanted_count_both_2}} & 4'd2);
+    wire wanted_count_both_3 = wanted_left[3] & (wanted_place_both_3 | wanted_count_both_2);
+    wire [3:0] wanted_count_either_2 = wanted_count_either | ({4{wanted_count_both_2 & ~wanted_count_both_3}} & 4'd3);
+    wire wanted_count_both_4 = wanted_left[4] & (wanted_place_both_4 | wanted_count_both_3);
+    wire [3:0] wanted_count_either_3 = wanted_count_either_2 | ({4{wanted_count_both_3 & ~wanted_count_both_4}} & 4'd4);
+    wire wanted_count_both_5 = wanted_left[5] & (wanted_place_both_5 | wanted_count_both_4);
+    wire [3:0] wanted_count_either_4 = wanted_count_either_3 | ({4{wanted_count_both_4 & ~wanted_count_both_5}} & 4'd5);
+    wire wanted_count_both_6 = wanted_left[6] & (wanted_place_both_6 | wanted_count_both_5);
+    wire [3:0] wanted_count_either_5 = wanted_count_either_4 | ({4{wanted_count_both_5 & ~wanted_count_both_6}} & 4'd6);
+    wire wanted_count_both_7 = wanted_left[7] & (wanted_place_both_7 | wanted_count_both_6);
+    wire [3:0] wanted_count_either_6 = wanted_count_either_5 | ({4{wanted_count_both_6 & ~wanted_count_both_7}} & 4'd7);
+    wire [3:0] wanted_count = (wanted_count_either_6 | ({4{wanted_count_both_7}} & 4'd8)) - {1'd0, wanted_place};
+    wire [21:0] read_queue_in_data_bits = {wanted_tile, wanted_row, wanted_place, wanted_count};
+    wire [3:0] came_now = {1'd0, came} + 4'd1;
+    wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
+    wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire in_queue_out_end = in_queue_out_data[51];
+    wire [2:0] in_queue_out_left = in_queue_out_data[50:48];
+    wire [2:0] in_queue_out_right = in_queue_out_data[47:45];
+    wire [2:0] in_queue_out_top = in_queue_out_data[44:42];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[41:39];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[38:35];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[34:31];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[30:27];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[26:23];
+    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
+    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire last_place = &place;
+    wire waits = (mode == 2'd2) & waits_inverted;
+    wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
+    wire any_resident = |any_resident_bits;
+    wire finish = waits & (frame_ended & ~any_resident);
+    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
+    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
+    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
+    wire vacate = waits & (goes_either_4 & vacate_either_6);
+    wire job_starts = start | vacate;
+    wire [1:0] still_unchanged = unchanged & sample_reads;
+    wire change = |unchanged & (still_unchanged == 2'd0);
+    wire done = moving & (leaving_is_empty & (owed == 4'd0) & (close_both & ~filling));
+    wire [11:0] goes_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
+    wire [11:0] goes_tile_either_2 = goes_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
+    wire [11:0] goes_tile_either_3 = goes_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
+    wire sends = advance & has_pixels;
+    wire begins = sends | (change & comes);
+    wire [7:0] wanted_run = {
+        wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
+        wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
     };
-    wire sent_hit = |sent_hit_bits;
-    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire next_is_0 = next == 3'd0;
-    wire next_is_1 = next == 3'd1;
-    wire start_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
-    wire next_is_2 = next == 3'd2;
-    wire next_is_3 = next == 3'd3;
-    wire start_either_2 = start_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
-    wire next_is_4 = next == 3'd4;
-    wire next_is_5 = next == 3'd5;
-    wire start_either_3 = start_either_2 | (next_is_4 & ((in_flight_4 == 8'd0) & ~used_4)) | (next_is_5 & ((in_flight_5 == 8'd0) & ~used_5));
-    wire next_is_6 = next == 3'd6;
-    wire next_is_7 = next == 3'd7;
-    wire start_either_4 = start_either_3 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6)) | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_4));
-    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
-    wire done = moving & (filled[6] & done_both);
-    wire start_or_mode_is_4 = start | mode_is_4;
-    wire [2:0] sent_slot_either = ({3{resident_1_and_is_of_code_1}} & 3'd1) | ({3{resident_2_and_is_of_code_2}} & 3'd2);
-    wire [2:0] sent_slot_either_2 = sent_slot_either | ({3{resident_3_and_is_of_code_3}} & 3'd3) | ({3{resident_4_and_is_of_code_4}} & 3'd4);
-    wire [2:0] sent_slot_either_3 = sent_slot_either_2 | ({3{resident_5_and_is_of_code_5}} & 3'd5) | ({3{resident_6_and_is_of_code_6}} & 3'd6);
-    wire [2:0] sent_slot = sent_slot_either_3 | {3{resident_7_and_is_of_code_7}};
-    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
-    wire evict_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
-    wire evict_either_2 = evict_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
-    wire evict_either_3 = evict_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
-    wire [11:0] evict_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
-    wire [11:0] evict_tile_either_2 = evict_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
-    wire [11:0] evict_tile_either_3 = evict_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
-    wire looked_or_mode_is_4 = looked | mode_is_4;
-    wire drain_next = drain_step & ~drained[6];
-    wire fill = may_fill & (~load | data_valid);
+    wire [7:0] wanted_row_ends_both = wanted_left & ~({8{asks}} & wanted_run);
+    wire wanted_row_ends = wanted_row_ends_both == 8'd0;
+    wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
+    wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
+    wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
+    wire wanted_row_either_4 = wanted_row_either_3 | |wanted_rest[39:32];
+    wire wanted_row_either_5 = wanted_row_either_4 | |wanted_rest[47:40];
+    wire wanted_row_both = |wanted_rest[63:56] & ~(wanted_row_either_5 | |wanted_rest[55:48]);
+    wire [7:0] wanted_rest_bits = {8{wanted_row_both}};
+    wire wanted_row_both_2 = |wanted_rest[55:48] & ~wanted_row_either_5;
+    wire [7:0] wanted_rest_bits_2 = {8{wanted_row_both_2}};
+    wire wanted_row_both_3 = |wanted_rest[47:40] & ~wanted_row_either_4;
+    wire [7:0] wanted_rest_bits_3 = {8{wanted_row_both_3}};
+    wire wanted_row_both_4 = |wanted_rest[39:32] & ~wanted_row_either_3;
+    wire [7:0] wanted_rest_bits_4 = {8{wanted_row_both_4}};
+    wire wanted_row_both_5 = |wanted_rest[31:24] & ~wanted_row_either_2;
+    wire [7:0] wanted_rest_bits_5 = {8{wanted_row_both_5}};
+    wire wanted_row_both_6 = |wanted_rest[23:16] & ~wanted_row_either;
+    wire [7:0] wanted_rest_bits_6 = {8{wanted_row_both_6}};
+    wire wanted_row_both_7 = |wanted_rest[15:8] & ~(|wanted_rest[7:0]);
+    wire [7:0] wanted_rest_bits_7 = {8{wanted_row_both_7}};
+    wire [7:0] wanted_rest_bits_8 = {8{|wanted_rest[7:0]}};
+    wire [63:0] wanted_rest_bits_9 = {
+        wanted_rest_bits, wanted_rest_bits_2, wanted_rest_bits_3, wanted_rest_bits_4, wanted_rest_bits_5,
+        wanted_rest_bits_6, wanted_rest_bits_7, wanted_rest_bits_8
+    };
+    wire [2:0] wanted_row_either_6 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
+    wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
+    wire [2:0] wanted_row_either_8 = wanted_row_either_7 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
+    wire [7:0] wanted_left_either = (wanted_rest_bits_8 & wanted_rest[7:0]) | (wanted_rest_bits_7 & wanted_rest[15:8]);
+    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_rest_bits_6 & wanted_rest[23:16]) | (wanted_rest_bits_5 & wanted_rest[31:24]);
+    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_rest_bits_4 & wanted_rest[39:32]) | (wanted_rest_bits_3 & wanted_rest[47:40]);
+    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_rest_bits_2 & wanted_rest[55:48]) | (wanted_rest_bits & wanted_rest[63:56]);
+    wire beat_and_not_mode_is_3 = beat & ~mode_is_3;
+    wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
+    wire drains = offers_drain & ~drains_shifted[0];
+    wire [7:0] leaving_row_ends_bits = {
+        leaving_place_both_7, leaving_place_both_6, leaving_place_both_5, leaving_place_both_4,
+        leaving_place_both_3, leaving_place_both_2, leaving_place_both, leaving_left[0]
+    };
+    wire [7:0] leaving_row_ends_both = leaving_left & ~({8{drains}} & leaving_row_ends_bits);
+    wire leaving_row_ends = leaving_row_ends_both == 8'd0;
+    wire leaving_row_either = |leaving_rest[7:0] | |leaving_rest[15:8];
+    wire leaving_row_either_2 = leaving_row_either | |leaving_rest[23:16];
+    wire leaving_row_either_3 = leaving_row_either_2 | |leaving_rest[31:24];
+    wire leaving_row_either_4 = leaving_row_either_3 | |leaving_rest[39:32];
+    wire leaving_row_either_5 = leaving_row_either_4 | |leaving_rest[47:40];
+    wire leaving_row_both = |leaving_rest[63:56] & ~(leaving_row_either_5 | |leaving_rest[55:48]);
+    wire [7:0] leaving_rest_bits = {8{leaving_row_both}};
+    wire leaving_row_both_2 = |leaving_rest[55:48] & ~leaving_row_either_5;
+    wire [7:0] leaving_rest_bits_2 = {8{leaving_row_both_2}};
+    wire leaving_row_both_3 = |leaving_rest[47:40] & ~leaving_row_either_4;
+    wire [7:0] leaving_rest_bits_3 = {8{leaving_row_both_3}};
+    wire leaving_row_both_4 = |leaving_rest[39:32] & ~leaving_row_either_3;
+    wire [7:0] leaving_rest_bits_4 = {8{leaving_row_both_4}};
+    wire leaving_row_both_5 = |leaving_rest[31:24] & ~leaving_row_either_2;
+    wire [7:0] leaving_rest_bits_5 = {8{leaving_row_both_5}};
+    wire leaving_row_both_6 = |leaving_rest[23:16] & ~leaving_row_either;
+    wire [7:0] leaving_rest_bits_6 = {8{leaving_row_both_6}};
+    wire leaving_row_both_7 = |leaving_rest[15:8] & ~(|leaving_rest[7:0]);
+    wire [7:0] leaving_rest_bits_7 = {8{leaving_row_both_7}};
+    wire [7:0] leaving_rest_bits_8 = {8{|leaving_rest[7:0]}};
+    wire [63:0] leaving_rest_bits_9 = {
+        leaving_rest_bits, leaving_rest_bits_2, leaving_rest_bits_3, leaving_rest_bits_4, leaving_rest_bits_5,
+        leaving_rest_bits_6, leaving_rest_bits_7, leaving_rest_bits_8
+    };
+    wire [2:0] leaving_row_either_6 = ({3{leaving_row_both_7}} & 3'd1) | ({3{leaving_row_both_6}} & 3'd2);
+    wire [2:0] leaving_row_either_7 = leaving_row_either_6 | ({3{leaving_row_both_5}} & 3'd3) | ({3{leaving_row_both_4}} & 3'd4);
+    wire [2:0] leaving_row_either_8 = leaving_row_either_7 | ({3{leaving_row_both_3}} & 3'd5) | ({3{leaving_row_both_2}} & 3'd6);
+    wire [7:0] leaving_left_either = (leaving_rest_bits_8 & leaving_rest[7:0]) | (leaving_rest_bits_7 & leaving_rest[15:8]);
+    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_rest_bits_6 & leaving_rest[23:16]);
+    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_rest_bits_5 & leaving_rest[31:24]);
+    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_rest_bits_4 & leaving_rest[39:32]);
+    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_rest_bits_3 & leaving_rest[47:40]);
+    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_rest_bits_2 & leaving_rest[55:48]);
+    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_rest_bits & leaving_rest[63:56]);
+    wire pixel_leaves = write_valid & write_ready;
+    wire starts = job_starts;
     wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
     wire skips_either_2 = skips_either | (next_is_3 & used_3) | (next_is_4 & used_4) | (next_is_5 & used_5);
     wire skips = skips_either_2 | (next_is_6 & used_6) | (next_is_7 & used_7);
     wire start_and_next_is_0 = start & next_is_0;
-    wire ready_0_both = done & (slot == 3'd0);
+    wire starts_and_next_is_0 = starts & next_is_0;
+    wire done_and_comes = done & comes;
+    wire ready_0_both = done_and_comes & (slot == 3'd0);
     wire in_flight_0_both = send & (copy_slot == 3'd0);
     wire in_flight_0_enable_both = retire_valid & (retire_slot == 3'd0);
     wire start_and_next_is_1 = start & next_is_1;
-    wire ready_1_both = done & (slot == 3'd1);
+    wire starts_and_next_is_1 = starts & next_is_1;
+    wire ready_1_both = done_and_comes & (slot == 3'd1);
     wire in_flight_1_both = send & (copy_slot == 3'd1);
     wire in_flight_1_enable_both = retire_valid & (retire_slot == 3'd1);
     wire start_and_next_is_2 = start & next_is_2;
-    wire ready_2_both = done & (slot == 3'd2);
+    wire starts_and_next_is_2 = starts & next_is_2;
+    wire ready_2_both = done_and_comes & (slot == 3'd2);
     wire in_flight_2_both = send & (copy_slot == 3'd2);
     wire in_flight_2_enable_both = retire_valid & (retire_slot == 3'd2);
     wire start_and_next_is_3 = start & next_is_3;
-    wire ready_3_both = done & (slot == 3'd3);
+    wire starts_and_next_is_3 = starts & next_is_3;
+    wire ready_3_both = done_and_comes & (slot == 3'd3);
     wire in_flight_3_both = send & (copy_slot == 3'd3);
     wire in_flight_3_enable_both = retire_valid & (retire_slot == 3'd3);
     wire start_and_next_is_4 = start & next_is_4;
-    wire ready_4_both = done & (slot == 3'd4);
+    wire starts_and_next_is_4 = starts & next_is_4;
+    wire ready_4_both = done_and_comes & (slot == 3'd4);
     wire in_flight_4_both = send & (copy_slot == 3'd4);
     wire in_flight_4_enable_both = retire_valid & (retire_slot == 3'd4);
     wire start_and_next_is_5 = start & next_is_5;
-    wire ready_5_both = done & (slot == 3'd5);
+    wire starts_and_next_is_5 = starts & next_is_5;
+    wire ready_5_both = done_and_comes & (slot == 3'd5);
     wire in_flight_5_both = send & (copy_slot == 3'd5);
     wire in_flight_5_enable_both = retire_valid & (retire_slot == 3'd5);
     wire start_and_next_is_6 = start & next_is_6;
-    wire ready_6_both = done & (slot == 3'd6);
+    wire starts_and_next_is_6 = starts & next_is_6;
+    wire ready_6_both = done_and_comes & (slot == 3'd6);
     wire in_flight_6_both = send & (copy_slot == 3'd6);
     wire in_flight_6_enable_both = retire_valid & (retire_slot == 3'd6);
     wire start_and_next_is_7 = start & next_is_7;
-    wire ready_7_both = done & (slot == 3'd7);
+    wire starts_and_next_is_7 = starts & next_is_7;
+    wire ready_7_both = done_and_comes & (slot == 3'd7);
     wire in_flight_7_both = send & (copy_slot == 3'd7);
     wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
 
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile,
-        out_slot
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat, out_slot
     } = out_queue_out_data;
-    assign data_ready = take_data;
-    assign {
-        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
-        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
-        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
-        write_attribute_12, write_cardinal_0
-    } = write_queue_out_data;
     assign {
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
         pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
@@ -4745,86 +5450,106 @@ module splat_tile_cache (
         pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
     } = pixel_queue_out_data;
     assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
-    assign fill_slot = slot;
-    assign drain_enable = drain_step;
+    assign change_valid = |unchanged;
+    assign change_slot = slot;
+    assign change_banks = unchanged;
+    assign change_held = mask_that_comes;
+    assign {read_tile, read_pixel, read_count} = read_queue_out_data;
+    assign drain_enable = offers_drain;
     assign drain_slot = slot;
-    assign drain_pixel = drained[5:0];
+    assign drain_pixel = {leaving_row, leaving_place};
+    assign {
+        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
+        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
+        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
+        write_attribute_12, write_cardinal_0
+    } = write_queue_out_data;
+    assign data_ready = takes_data;
+    assign fill_valid = filling;
+    assign fill_slot = slot;
 
-    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
-        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
-        .write_address(looked ? read_tile : code), .write_data(looked),
-        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
+    memory_1w1r_unordered #(.WIDTH(64), .DEPTH(4096)) stored_masks (
+        .clk(clk), .write(mask_is_kept | (mode_is_0 | (advance & place_seen))),
+        .write_address(mask_is_kept ? goes_tile : mode_is_0 ? place : seen_place),
+        .write_data({64{mask_is_kept}} & masks_written),
+        .read(start | advance), .read_address(mode_is_3 ? place : head_tile), .read_data(stored_mask)
     );
 
-    stream_half_buffer_w690 in_queue (
+    stream_half_buffer_w52 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
-            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
-            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
-            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
-            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_fifo_d16_w693_distributed out_queue (
+    stream_fifo_d16_w55_distributed out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
-            head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned, head_sight_disc,
-            head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
-            head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
-            head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
-            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
-            head_first_difference, head_last_difference, head_tile, copy_slot
+            head_end, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, head_splat, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_skid_w338 write_queue (
-        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
-        .in_data({
-            evict_tile, held_pixel, drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1,
-            drain_attribute_2, drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6,
-            drain_attribute_7, drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11,
-            drain_attribute_12, drain_cardinal_0
-        }),
-        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
-    );
-
     stream_skid_w339 pixel_queue (
-        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
-        .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | visible), .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
-            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_peak : data_peak,
-            mode_is_5 ? drain_attribute_0 : data_attribute_0, mode_is_5 ? drain_attribute_1 : data_attribute_1,
-            mode_is_5 ? drain_attribute_2 : data_attribute_2, mode_is_5 ? drain_attribute_3 : data_attribute_3,
-            mode_is_5 ? drain_attribute_4 : data_attribute_4, mode_is_5 ? drain_attribute_5 : data_attribute_5,
-            mode_is_5 ? drain_attribute_6 : data_attribute_6, mode_is_5 ? drain_attribute_7 : data_attribute_7,
-            mode_is_5 ? drain_attribute_8 : data_attribute_8, mode_is_5 ? drain_attribute_9 : data_attribute_9,
-            mode_is_5 ? drain_attribute_10 : data_attribute_10,
-            mode_is_5 ? drain_attribute_11 : data_attribute_11,
-            mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
+            close, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_peak, data_attribute_0,
+            data_attribute_1, data_attribute_2, data_attribute_3, data_attribute_4, data_attribute_5,
+            data_attribute_6, data_attribute_7, data_attribute_8, data_attribute_9, data_attribute_10,
+            data_attribute_11, data_attribute_12, data_cardinal_0
         }),
         .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+    );
+
+    stream_skid_w22 read_queue (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(read_queue_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(read_valid), .out_ready(read_ready), .out_data(read_queue_out_data)
+    );
+
+    stream_fifo_d32_w22_distributed asked_runs (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(asked_runs_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(asked_runs_out_valid), .out_ready(run_ends), .out_data(asked_runs_out_data)
+    );
+
+    stream_fifo_d8_w338_distributed write_queue (
+        .clk(clk), .rst(rst), .in_valid(drained_valid), .in_ready(write_queue_in_ready),
+        .in_data({
+            goes_tile, drained_pixel, drained_weight, drained_depth, drained_peak, drained_attribute_0,
+            drained_attribute_1, drained_attribute_2, drained_attribute_3, drained_attribute_4,
+            drained_attribute_5, drained_attribute_6, drained_attribute_7, drained_attribute_8,
+            drained_attribute_9, drained_attribute_10, drained_attribute_11, drained_attribute_12,
+            drained_cardinal_0
+        }),
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             head_valid <= 1'd0;
-            mode <= 3'd0;
+            mode <= 2'd0;
             frame_ended <= 1'd0;
-            code <= 12'd0;
-            code_read <= 1'd0;
+            place <= 12'd0;
+            walking <= 1'd0;
+            place_read <= 1'd0;
+            place_seen <= 1'd0;
             looking <= 1'd0;
-            looked <= 1'd0;
+            unchanged <= 2'd0;
+            changed <= 1'd0;
             moving <= 1'd0;
-            read_valid <= 1'd0;
-            showing <= 1'd0;
-            holding <= 1'd0;
+            wanted_rest <= 64'd0;
+            wanted_left <= 8'd0;
+            awaited <= 6'd0;
+            came <= 3'd0;
+            filling <= 1'd0;
+            taken_banks <= 2'd0;
+            leaving_rest <= 64'd0;
+            leaving_left <= 8'd0;
+            owed <= 4'd0;
             next <= 3'd0;
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
@@ -4858,68 +5583,79 @@ module splat_tile_cache (
             ready_7 <= 1'd0;
             in_flight_7 <= 8'd0;
             used_7 <= 1'd0;
-            fill_valid <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
-            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
-            code_read <= mode_is_3 & ~code_read;
-            looking <= start;
-            looked <= looking;
-            used_0 <= (in_flight_0_both | (used_0 & ~next_is_0)) & ~close;
-            used_1 <= (in_flight_1_both | (used_1 & ~next_is_1)) & ~close;
-            used_2 <= (in_flight_2_both | (used_2 & ~next_is_2)) & ~close;
-            used_3 <= (in_flight_3_both | (used_3 & ~next_is_3)) & ~close;
-            used_4 <= (in_flight_4_both | (used_4 & ~next_is_4)) & ~close;
-            used_5 <= (in_flight_5_both | (used_5 & ~next_is_5)) & ~close;
-            used_6 <= (in_flight_6_both | (used_6 & ~next_is_6)) & ~close;
-            used_7 <= (in_flight_7_both | (used_7 & ~next_is_7)) & ~close;
-            fill_valid <= fill;
+            mode <= ((mode_is_0 & last_place) | close) ? 2'd1 : send_end ? 2'd2 : finish ? 2'd3 : mode;
+            looking <= job_starts;
+            unchanged <= still_unchanged | {2{looking}};
+            changed <= change;
+            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_row_ends_both;
+            awaited <= (awaited + {5'd0, asks}) - {5'd0, run_ends};
+            filling <= beat_and_not_mode_is_3 | (filling & ~fills);
+            taken_banks <= sample_writes;
+            leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
+            owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
+            used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
+            used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
+            used_2 <= in_flight_2_both | (used_2 & ~next_is_2);
+            used_3 <= in_flight_3_both | (used_3 & ~next_is_3);
+            used_4 <= in_flight_4_both | (used_4 & ~next_is_4);
+            used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
+            used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
+            used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
             if (frame_end | finish) frame_ended <= frame_end;
-            if (mode_is_0 | next_tile) code <= code + 12'd1;
-            if (looked | done) moving <= looked;
-            if (read_valid_both | read_ready) read_valid <= read_valid_both;
-            if (drain_step) begin
-                showing <= drain_next;
-                holding <= showing;
+            if (mode_is_0 | (advance & walking)) place <= place + 12'd1;
+            if (finish | advance) walking <= finish | (walking & ~last_place);
+            if (advance) begin
+                place_read <= walking;
+                place_seen <= place_read;
             end
-            if (start | skips | close) next <= (next_is_7 | close) ? 3'd0 : (next + 3'd1);
-            if (start_and_next_is_0 | close) resident_0 <= start_and_next_is_0;
-            if (ready_0_both | start_and_next_is_0 | finish) ready_0 <= ready_0_both;
+            if (changed | done) moving <= changed;
+            if (begins | wanted_row_ends) begin
+                wanted_rest <= begins ? mask : (wanted_rest & ~wanted_rest_bits_9);
+            end
+            if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
+            if (mask_is_kept | leaving_row_ends) begin
+                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
+            end
+            if (starts | skips | (waits & ~finish)) next <= next_is_7 ? 3'd0 : (next + 3'd1);
+            if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
+            if (ready_0_both | starts_and_next_is_0) ready_0 <= ready_0_both;
             if (in_flight_0_both ^ in_flight_0_enable_both) begin
                 in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (start_and_next_is_1 | close) resident_1 <= start_and_next_is_1;
-            if (ready_1_both | start_and_next_is_1 | finish) ready_1 <= ready_1_both;
+            if (starts_and_next_is_1) resident_1 <= start_and_next_is_1;
+            if (ready_1_both | starts_and_next_is_1) ready_1 <= ready_1_both;
             if (in_flight_1_both ^ in_flight_1_enable_both) begin
                 in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
-            if (start_and_next_is_2 | close) resident_2 <= start_and_next_is_2;
-            if (ready_2_both | start_and_next_is_2 | finish) ready_2 <= ready_2_both;
+            if (starts_and_next_is_2) resident_2 <= start_and_next_is_2;
+            if (ready_2_both | starts_and_next_is_2) ready_2 <= ready_2_both;
             if (in_flight_2_both ^ in_flight_2_enable_both) begin
                 in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
             end
-            if (start_and_next_is_3 | close) resident_3 <= start_and_next_is_3;
-            if (ready_3_both | start_and_next_is_3 | finish) ready_3 <= ready_3_both;
+            if (starts_and_next_is_3) resident_3 <= start_and_next_is_3;
+            if (ready_3_both | starts_and_next_is_3) ready_3 <= ready_3_both;
             if (in_flight_3_both ^ in_flight_3_enable_both) begin
                 in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
             end
-            if (start_and_next_is_4 | close) resident_4 <= start_and_next_is_4;
-            if (ready_4_both | start_and_next_is_4 | finish) ready_4 <= ready_4_both;
+            if (starts_and_next_is_4) resident_4 <= start_and_next_is_4;
+            if (ready_4_both | starts_and_next_is_4) ready_4 <= ready_4_both;
             if (in_flight_4_both ^ in_flight_4_enable_both) begin
                 in_flight_4 <= in_flight_4_both ? (in_flight_4 + 8'd1) : (in_flight_4 - 8'd1);
             end
-            if (start_and_next_is_5 | close) resident_5 <= start_and_next_is_5;
-            if (ready_5_both | start_and_next_is_5 | finish) ready_5 <= ready_5_both;
+            if (starts_and_next_is_5) resident_5 <= start_and_next_is_5;
+            if (ready_5_both | starts_and_next_is_5) ready_5 <= ready_5_both;
             if (in_flight_5_both ^ in_flight_5_enable_both) begin
                 in_flight_5 <= in_flight_5_both ? (in_flight_5 + 8'd1) : (in_flight_5 - 8'd1);
             end
-            if (start_and_next_is_6 | close) resident_6 <= start_and_next_is_6;
-            if (ready_6_both | start_and_next_is_6 | finish) ready_6 <= ready_6_both;
+            if (starts_and_next_is_6) resident_6 <= start_and_next_is_6;
+            if (ready_6_both | starts_and_next_is_6) ready_6 <= ready_6_both;
             if (in_flight_6_both ^ in_flight_6_enable_both) begin
                 in_flight_6 <= in_flight_6_both ? (in_flight_6 + 8'd1) : (in_flight_6 - 8'd1);
             end
-            if (start_and_next_is_7 | close) resident_7 <= start_and_next_is_7;
-            if (ready_7_both | start_and_next_is_7 | finish) ready_7 <= ready_7_both;
+            if (starts_and_next_is_7) resident_7 <= start_and_next_is_7;
+            if (ready_7_both | starts_and_next_is_7) ready_7 <= ready_7_both;
             if (in_flight_7_both ^ in_flight_7_enable_both) begin
                 in_flight_7 <= in_flight_7_both ? (in_flight_7 + 8'd1) : (in_flight_7 - 8'd1);
             end
@@ -4928,37 +5664,6 @@ module splat_tile_cache (
     always @(posedge clk) begin
         if (head_takes) begin
             head_end <= in_queue_out_end;
-            head_center_x <= in_queue_out_center_x;
-            head_center_y <= in_queue_out_center_y;
-            head_ax <= in_queue_out_ax;
-            head_bx <= in_queue_out_bx;
-            head_ay <= in_queue_out_ay;
-            head_by <= in_queue_out_by;
-            head_delta <= in_queue_out_delta;
-            head_mx <= in_queue_out_mx;
-            head_my <= in_queue_out_my;
-            head_sight_negative <= in_queue_out_sight_negative;
-            head_sight_near <= in_queue_out_sight_near;
-            head_sight_far <= in_queue_out_sight_far;
-            head_sight_turned <= in_queue_out_sight_turned;
-            head_sight_disc <= in_queue_out_sight_disc;
-            head_depth <= in_queue_out_depth;
-            head_depth_low <= in_queue_out_depth_low;
-            head_depth_high <= in_queue_out_depth_high;
-            head_attribute_0 <= in_queue_out_attribute_0;
-            head_attribute_1 <= in_queue_out_attribute_1;
-            head_attribute_2 <= in_queue_out_attribute_2;
-            head_attribute_3 <= in_queue_out_attribute_3;
-            head_attribute_4 <= in_queue_out_attribute_4;
-            head_attribute_5 <= in_queue_out_attribute_5;
-            head_attribute_6 <= in_queue_out_attribute_6;
-            head_attribute_7 <= in_queue_out_attribute_7;
-            head_attribute_8 <= in_queue_out_attribute_8;
-            head_attribute_9 <= in_queue_out_attribute_9;
-            head_attribute_10 <= in_queue_out_attribute_10;
-            head_attribute_11 <= in_queue_out_attribute_11;
-            head_attribute_12 <= in_queue_out_attribute_12;
-            head_cardinal_0 <= in_queue_out_cardinal_0;
             head_left <= in_queue_out_left;
             head_right <= in_queue_out_right;
             head_top <= in_queue_out_top;
@@ -4968,40 +5673,32 @@ module splat_tile_cache (
             head_first_difference <= in_queue_out_first_difference;
             head_last_difference <= in_queue_out_last_difference;
             head_tile <= in_queue_out_tile;
+            head_splat <= in_queue_out_splat;
         end
-        if (start_or_mode_is_4) begin
-            slot <= mode_is_4 ? sent_slot : next;
-            read_tile <= mode_is_4 ? code : head_tile;
+        if (advance) begin
+            read_place <= place;
+            seen_place <= read_place;
         end
-        if (start) begin
-            evict <= evict_either_3 | (next_is_7 & resident_7);
-            evict_tile <= evict_tile_either_3 | ({12{next_is_7}} & tile_7);
+        if (looking | advance) mask <= stored_mask;
+        if (job_starts) begin
+            slot <= next;
+            comes <= start;
+            tile <= head_tile;
+            goes <= goes_either_4;
+            goes_tile <= goes_tile_either_3 | ({12{next_is_7}} & tile_7);
         end
-        if (looked) load <= touched;
-        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
-            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
-        end
-        if (drain_next) shown_pixel <= drained[5:0];
-        if (drain_step) held_pixel <= shown_pixel;
-        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
+        if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
+        if (begins) wanted_tile <= sends ? seen_place : tile;
+        if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
         if (start_and_next_is_0) tile_0 <= head_tile;
         is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
-        is_of_code_0 <= tile_0 == code;
         is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
-        is_of_code_1 <= tile_1 == code;
         is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
-        is_of_code_2 <= tile_2 == code;
         is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
-        is_of_code_3 <= tile_3 == code;
         is_of_copy_4 <= head_takes ? (tile_4 == in_queue_out_tile) : (is_of_copy_4 | start_and_next_is_4);
-        is_of_code_4 <= tile_4 == code;
         is_of_copy_5 <= head_takes ? (tile_5 == in_queue_out_tile) : (is_of_copy_5 | start_and_next_is_5);
-        is_of_code_5 <= tile_5 == code;
         is_of_copy_6 <= head_takes ? (tile_6 == in_queue_out_tile) : (is_of_copy_6 | start_and_next_is_6);
-        is_of_code_6 <= tile_6 == code;
         is_of_copy_7 <= head_takes ? (tile_7 == in_queue_out_tile) : (is_of_copy_7 | start_and_next_is_7);
-        is_of_code_7 <= tile_7 == code;
-        touched <= stored_touched;
         if (start_and_next_is_1) tile_1 <= head_tile;
         if (start_and_next_is_2) tile_2 <= head_tile;
         if (start_and_next_is_3) tile_3 <= head_tile;
@@ -5009,31 +5706,34 @@ module splat_tile_cache (
         if (start_and_next_is_5) tile_5 <= head_tile;
         if (start_and_next_is_6) tile_6 <= head_tile;
         if (start_and_next_is_7) tile_7 <= head_tile;
-        if (fill) begin
-            fill_pixel <= filled[5:0];
-            fill_weight <= load ? data_weight : 28'd0;
-            fill_depth <= load ? data_depth : 52'd0;
-            fill_peak <= load ? data_peak : 16'd0;
-            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
-            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
-            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
-            fill_attribute_3 <= load ? data_attribute_3 : 16'd0;
-            fill_attribute_4 <= load ? data_attribute_4 : 16'd0;
-            fill_attribute_5 <= load ? data_attribute_5 : 16'd0;
-            fill_attribute_6 <= load ? data_attribute_6 : 16'd0;
-            fill_attribute_7 <= load ? data_attribute_7 : 16'd0;
-            fill_attribute_8 <= load ? data_attribute_8 : 16'd0;
-            fill_attribute_9 <= load ? data_attribute_9 : 16'd0;
-            fill_attribute_10 <= load ? data_attribute_10 : 16'd0;
-            fill_attribute_11 <= load ? data_attribute_11 : 16'd0;
-            fill_attribute_12 <= load ? data_attribute_12 : 16'd0;
-            fill_cardinal_0 <= load ? data_cardinal_0 : 16'd0;
+        if (beat_and_not_mode_is_3) begin
+            fill_pixel <= coming_pixel;
+            fill_weight <= data_weight;
+            fill_depth <= data_depth;
+            fill_peak <= data_peak;
+            fill_attribute_0 <= data_attribute_0;
+            fill_attribute_1 <= data_attribute_1;
+            fill_attribute_2 <= data_attribute_2;
+            fill_attribute_3 <= data_attribute_3;
+            fill_attribute_4 <= data_attribute_4;
+            fill_attribute_5 <= data_attribute_5;
+            fill_attribute_6 <= data_attribute_6;
+            fill_attribute_7 <= data_attribute_7;
+            fill_attribute_8 <= data_attribute_8;
+            fill_attribute_9 <= data_attribute_9;
+            fill_attribute_10 <= data_attribute_10;
+            fill_attribute_11 <= data_attribute_11;
+            fill_attribute_12 <= data_attribute_12;
+            fill_cardinal_0 <= data_cardinal_0;
         end
     end
+
+    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], write_queue_in_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
         slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
         slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
         slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
@@ -5043,6 +5743,9 @@ module splat_tile_cache (
         slot_6_retires_what_entered: assert (~in_flight_6_enable_both | |in_flight_6);
         slot_7_retires_what_entered: assert (~in_flight_7_enable_both | |in_flight_7);
 `else
+        if (!(~drained_valid | write_queue_in_ready)) begin
+            $display("assertion failed: drained_pixels_find_room in %m"); $stop;
+        end
         if (!(~in_flight_0_enable_both | |in_flight_0)) begin
             $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
@@ -5066,6 +5769,165 @@ module splat_tile_cache (
         end
         if (!(~in_flight_7_enable_both | |in_flight_7)) begin
             $display("assertion failed: slot_7_retires_what_entered in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 8
+// width = 338
+// storage = distributed
+module stream_fifo_d8_w338_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [337:0] entries [0:7];
+    reg [3:0] held, waiting;
+    reg [2:0] write_address, read_address;
+    reg [337:0] item;
+
+    wire has_room = ~held[3];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 3'd1;
+            if (fetch) read_address <= read_address + 3'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd8);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 32
+// width = 22
+// storage = distributed
+module stream_fifo_d32_w22_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [21:0] entries [0:31];
+    reg [5:0] held, waiting;
+    reg [4:0] write_address, read_address;
+    reg [21:0] item;
+
+    wire has_room = ~held[5];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 5'd1;
+            if (fetch) read_address <= read_address + 5'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd32);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 22
+module stream_skid_w22 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+);
+    reg second_valid;
+    reg [21:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
     end
@@ -5115,63 +5977,20 @@ module stream_skid_w339 (
 `endif
 endmodule
 
-// Queue of two in registers.
-// width = 338
-module stream_skid_w338 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
-);
-    reg second_valid;
-    reg [337:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 693
+// width = 55
 // storage = distributed
-module stream_fifo_d16_w693_distributed (
+module stream_fifo_d16_w55_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [692:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [692:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [54:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [54:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [692:0] entries [0:15];
+    reg [54:0] entries [0:15];
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    reg [692:0] item;
+    reg [54:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -5216,43 +6035,12 @@ module stream_fifo_d16_w693_distributed (
 `endif
 endmodule
 
-// Orders splat copies by tile; their payloads wait in a memory.
+// Orders splat copies by tile; what else they have waits in a memory.
 // levels = 12
 module splat_reorder (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
-    input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [31:0] in_ax,  // `A` in x.
-    input  wire [31:0] in_bx,  // `B` in x.
-    input  wire [31:0] in_ay,  // `A` in y.
-    input  wire [31:0] in_by,  // `B` in y.
-    input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [31:0] in_mx,  // `m` in x.
-    input  wire [31:0] in_my,  // `m` in y.
-    input  wire in_sight_negative,  // `D` is negative before the eye.
-    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
-    input  wire [15:0] in_attribute_3,  // Attributes.
-    input  wire [15:0] in_attribute_4,  // Attributes.
-    input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
-    input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
@@ -5262,39 +6050,9 @@ module splat_reorder (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
+    input  wire [10:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
-    output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [31:0] out_ax,  // `A` in x.
-    output wire [31:0] out_bx,  // `B` in x.
-    output wire [31:0] out_ay,  // `A` in y.
-    output wire [31:0] out_by,  // `B` in y.
-    output wire [31:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [31:0] out_mx,  // `m` in x.
-    output wire [31:0] out_my,  // `m` in y.
-    output wire out_sight_negative,  // `D` is negative before the eye.
-    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
-    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
-    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
-    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
-    output wire [15:0] out_attribute_3,  // Attributes.
-    output wire [15:0] out_attribute_4,  // Attributes.
-    output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
-    output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
@@ -5303,76 +6061,63 @@ module splat_reorder (
     output wire [3:0] out_last_sum,  // Largest sum.
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
-    output wire [11:0] out_tile  // Tile index: row above column.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire [10:0] out_splat  // Place of its splat's payload.
 );
     reg free_valid;
     reg [11:0] free;
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [676:0] stage_payload;
+    wire [38:0] stage_rest;
 
     wire in_queue_out_valid;
-    wire [689:0] in_queue_out_data;
+    wire [51:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [689:0] out_queue_out_data;
-    wire caught_in_ready, caught_out_valid;
-    wire [689:0] caught_out_data;
+    wire [51:0] out_queue_out_data;
     wire lists_in_ready, lists_out_valid;
     wire [11:0] lists_out_tile, lists_out_pointer;
     wire lists_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[689];
+    wire in_queue_out_end = in_queue_out_data[51];
     wire offer = open & ~in_queue_out_end & free_valid;
-    wire advance = ~stage_valid | caught_in_ready;
+    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire advance = ~stage_valid | out_queue_in_ready;
     wire insert = offer & lists_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (lists_empty & ~stage_valid & caught_in_ready);
-    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
+    wire close = draining & (lists_empty & ~stage_valid & out_queue_in_ready);
+    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
     wire leaving = lists_out_valid & advance;
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(677), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[688:12]),
-        .read(advance), .read_address(lists_out_pointer), .read_data(stage_payload)
+    memory_1w1r_unordered #(.WIDTH(39), .DEPTH(4096), .SLICE(4)) rests (
+        .clk(clk), .write(offer), .write_address(free),
+        .write_data({in_queue_out_data[50:23], in_queue_out_splat}),
+        .read(advance), .read_address(lists_out_pointer), .read_data(stage_rest)
     );
 
-    stream_half_buffer_w690 in_queue (
+    stream_half_buffer_w52 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
-            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
-            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
-            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
-            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w690 out_queue (
-        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
-        .in_data(caught_out_data),
+    stream_half_buffer_w52 out_queue (
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_ready(out_queue_in_ready), .in_data({close, stage_rest[38:11], stage_tile, stage_rest[10:0]}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
-    );
-
-    stream_half_buffer_w690 caught (
-        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
-        .in_data({close, stage_payload, stage_tile}),
-        .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_lists lists (
@@ -5484,20 +6229,20 @@ module splat_lists (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Entries in any order; no pointer comes again before it has left.
     input  wire [11:0] in_tile,  // Tile index.
-    input  wire [11:0] in_pointer,  // Place of the payload.
+    input  wire [11:0] in_pointer,  // Place of the rest.
     output wire out_valid, input wire out_ready,  // Entries of a tile in order of arrival, those of some tiles in turn.
     output wire [11:0] out_tile,  // Tile index.
-    output wire [11:0] out_pointer,  // Place of the payload.
+    output wire [11:0] out_pointer,  // Place of the rest.
     output wire empty  // It holds no entry.
 );
     reg clearing;
     reg [11:0] cleared;
     reg second, may_open, opening;
     reg [11:0] opened_tile;  // Tile index.
-    reg [11:0] opened_pointer;  // Place of the payload.
+    reg [11:0] opened_pointer;  // Place of the rest.
     reg appending;
     reg [11:0] appended_tile;  // Tile index.
-    reg [11:0] appended_pointer;  // Place of the payload.
+    reg [11:0] appended_pointer;  // Place of the rest.
     wire [12:0] found;
     reg meets_opened, meets_appended, linking, follows;
     reg [11:0] last;
@@ -5735,6 +6480,622 @@ module stream_fifo_d4096_w24 (
 `endif
 endmodule
 
+// One item in a register, at half rate.
+// width = 52
+module stream_half_buffer_w52 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [51:0] out_data
+);
+    reg full;
+    reg [51:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
+    end
+    always @(posedge clk) if (in_ready) item <= in_data;
+endmodule
+
+// Keeps what the copies of a splat have in common, once.
+// places = 2048
+// beats = 2
+module splat_payloads (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready,  // Copies, those of a splat one after the other.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [31:0] in_ax,  // `A` in x.
+    input  wire [31:0] in_bx,  // `B` in x.
+    input  wire [31:0] in_ay,  // `A` in y.
+    input  wire [31:0] in_by,  // `B` in y.
+    input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [31:0] in_mx,  // `m` in x.
+    input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire copy_valid, input wire copy_ready,  // The same, with where their payload lies in its place.
+    output wire copy_end,  // Closes the frame.
+    output wire [2:0] copy_left,  // First column.
+    output wire [2:0] copy_right,  // Last column.
+    output wire [2:0] copy_top,  // First row.
+    output wire [2:0] copy_bottom,  // Last row.
+    output wire [3:0] copy_first_sum,  // Smallest sum.
+    output wire [3:0] copy_last_sum,  // Largest sum.
+    output wire [3:0] copy_first_difference,  // Smallest difference.
+    output wire [3:0] copy_last_difference,  // Largest difference.
+    output wire [11:0] copy_tile,  // Tile index: row above column.
+    output wire [10:0] copy_splat,  // Place of its splat's payload.
+    input  wire placed_valid, output wire placed_ready,  // Copies that are to be drawn, in any order.
+    input  wire placed_end,  // Closes the frame.
+    input  wire [2:0] placed_left,  // First column.
+    input  wire [2:0] placed_right,  // Last column.
+    input  wire [2:0] placed_top,  // First row.
+    input  wire [2:0] placed_bottom,  // Last row.
+    input  wire [3:0] placed_first_sum,  // Smallest sum.
+    input  wire [3:0] placed_last_sum,  // Largest sum.
+    input  wire [3:0] placed_first_difference,  // Smallest difference.
+    input  wire [3:0] placed_last_difference,  // Largest difference.
+    input  wire [11:0] placed_tile,  // Tile index: row above column.
+    input  wire [10:0] placed_splat,  // Place of its splat's payload.
+    input  wire [2:0] placed_slot,  // Slot of the tile cache.
+    output wire out_valid, input wire out_ready,  // The same with their payload.
+    output wire out_end,  // Closes the frame.
+    output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [31:0] out_ax,  // `A` in x.
+    output wire [31:0] out_bx,  // `B` in x.
+    output wire [31:0] out_ay,  // `A` in y.
+    output wire [31:0] out_by,  // `B` in y.
+    output wire [31:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [31:0] out_mx,  // `m` in x.
+    output wire [31:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire [2:0] out_slot  // Slot of the tile cache.
+);
+    reg clearing;
+    reg [10:0] cleared;
+    reg has_free;
+    reg [10:0] free;
+    reg holds, passes;
+    reg [10:0] place;
+    reg [12:0] copies;
+    reg open, writing, word;
+    reg [324:0] word_1;
+    reg held_end;
+    reg [2:0] held_left;  // First column.
+    reg [2:0] held_right;  // Last column.
+    reg [2:0] held_top;  // First row.
+    reg [2:0] held_bottom;  // Last row.
+    reg [3:0] held_first_sum;  // Smallest sum.
+    reg [3:0] held_last_sum;  // Largest sum.
+    reg [3:0] held_first_difference;  // Smallest difference.
+    reg [3:0] held_last_difference;  // Largest difference.
+    reg [11:0] held_tile;
+    reg current_valid, beat, out_holds;
+    reg current_end;  // Closes the frame.
+    reg [2:0] current_left;  // First column.
+    reg [2:0] current_right;  // Last column.
+    reg [2:0] current_top;  // First row.
+    reg [2:0] current_bottom;  // Last row.
+    reg [3:0] current_first_sum;  // Smallest sum.
+    reg [3:0] current_last_sum;  // Largest sum.
+    reg [3:0] current_first_difference;  // Smallest difference.
+    reg [3:0] current_last_difference;  // Largest difference.
+    reg [11:0] current_tile;  // Tile index: row above column.
+    reg [10:0] current_splat;  // Place of its splat's payload.
+    reg [2:0] current_slot;  // Slot of the tile cache.
+    wire [324:0] shown_word;
+    reg [324:0] kept_0;
+    reg held_out_end;  // Closes the frame.
+    reg [31:0] held_out_center_x;  // Projected center (px), the origin of what follows.
+    reg [31:0] held_out_center_y;  // Projected center (px), the origin of what follows.
+    reg [31:0] held_out_ax;  // `A` in x.
+    reg [31:0] held_out_bx;  // `B` in x.
+    reg [31:0] held_out_ay;  // `A` in y.
+    reg [31:0] held_out_by;  // `B` in y.
+    reg [31:0] held_out_delta;  // The determinant of `A` and `B`.
+    reg [31:0] held_out_mx;  // `m` in x.
+    reg [31:0] held_out_my;  // `m` in y.
+    reg held_out_sight_negative;  // `D` is negative before the eye.
+    reg [30:0] held_out_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [30:0] held_out_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg held_out_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg held_out_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    reg [23:0] held_out_depth;  // Depth.
+    reg [23:0] held_out_depth_low;  // What is nearer hides the splat.
+    reg [23:0] held_out_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] held_out_attribute_0;  // Attributes.
+    reg [15:0] held_out_attribute_1;  // Attributes.
+    reg [15:0] held_out_attribute_2;  // Attributes.
+    reg [15:0] held_out_attribute_3;  // Attributes.
+    reg [15:0] held_out_attribute_4;  // Attributes.
+    reg [15:0] held_out_attribute_5;  // Attributes.
+    reg [15:0] held_out_attribute_6;  // Attributes.
+    reg [15:0] held_out_attribute_7;  // Attributes.
+    reg [15:0] held_out_attribute_8;  // Attributes.
+    reg [15:0] held_out_attribute_9;  // Attributes.
+    reg [15:0] held_out_attribute_10;  // Attributes.
+    reg [15:0] held_out_attribute_11;  // Attributes.
+    reg [15:0] held_out_attribute_12;  // Attributes.
+    reg [15:0] held_out_cardinal_0;  // Attributes.
+    reg [2:0] held_out_left;  // First column.
+    reg [2:0] held_out_right;  // Last column.
+    reg [2:0] held_out_top;  // First row.
+    reg [2:0] held_out_bottom;  // Last row.
+    reg [3:0] held_out_first_sum;  // Smallest sum.
+    reg [3:0] held_out_last_sum;  // Largest sum.
+    reg [3:0] held_out_first_difference;  // Smallest difference.
+    reg [3:0] held_out_last_difference;  // Largest difference.
+    reg [11:0] held_out_tile;  // Tile index: row above column.
+    reg [2:0] held_out_slot;  // Slot of the tile cache.
+    reg left_valid;
+    reg [10:0] left_place;
+    wire [12:0] shown_balance;
+    reg reading_valid;
+    reg [10:0] reading_place;
+    reg [12:0] reading_number;
+    reg caught_valid;
+    reg [10:0] caught_place;
+    reg [12:0] caught_number, balance;
+    reg added_valid;
+    reg [10:0] added_place;
+    reg [12:0] added_number;
+    reg earlier_valid;
+    reg [10:0] earlier_place;
+    reg [12:0] earlier_number, earliest_number;
+    reg follows_added, follows_earlier, follows_earliest;
+
+    wire closes_in_ready, closes_out_valid;
+    wire [23:0] closes_out_data;
+    wire released_in_ready, released_out_valid;
+    wire [10:0] released_out_data;
+    wire placed_queue_out_valid;
+    wire [54:0] placed_queue_out_data;
+
+    wire ready = ~holds & (closes_in_ready & (has_free | passes));
+    wire copy_shown = holds & (~writing | word);
+    wire [324:0] payload_words_data_bits = {
+        in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_sight_negative,
+        in_sight_near, in_sight_far[30:26]
+    };
+    wire out_room = ~out_holds | out_ready;
+    wire leaves = current_valid & beat & out_room;
+    wire advance = ~current_valid | leaves;
+    wire advance_or_not_beat = advance | ~beat;
+    wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
+    wire [10:0] placed_queue_out_splat = placed_queue_out_data[13:3];
+    wire [10:0] balances_address_choice = added_valid ? added_place : cleared;
+    wire [10:0] closes_out_place = closes_out_data[23:13];
+    wire [10:0] begins_place = left_valid ? left_place : closes_out_place;
+    wire closes_splat = in_valid & (in_first | in_end) & (open & closes_in_ready);
+    wire closes_out_ready = ~left_valid;
+    wire clears = clearing & ~added_valid;
+    wire releases = clears | (added_valid & (added_number == 13'd0));
+    wire takes_free = ~has_free;
+    wire take = ready & in_valid;
+    wire needs_place = in_first & ~in_end;
+    wire begins_splat = take & needs_place;
+    wire placed_queue_out_end = placed_queue_out_data[54];
+    wire [2:0] placed_queue_out_left = placed_queue_out_data[53:51];
+    wire [2:0] placed_queue_out_right = placed_queue_out_data[50:48];
+    wire [2:0] placed_queue_out_top = placed_queue_out_data[47:45];
+    wire [2:0] placed_queue_out_bottom = placed_queue_out_data[44:42];
+    wire [3:0] placed_queue_out_first_sum = placed_queue_out_data[41:38];
+    wire [3:0] placed_queue_out_last_sum = placed_queue_out_data[37:34];
+    wire [3:0] placed_queue_out_first_difference = placed_queue_out_data[33:30];
+    wire [3:0] placed_queue_out_last_difference = placed_queue_out_data[29:26];
+    wire [11:0] placed_queue_out_tile = placed_queue_out_data[25:14];
+    wire [2:0] placed_queue_out_slot = placed_queue_out_data[2:0];
+    wire is_left = leaves & ~current_end;
+    wire begins = left_valid | closes_out_valid;
+    wire [12:0] closes_out_copies = closes_out_data[12:0];
+    wire [12:0] sum_choice = follows_earlier ? earlier_number : follows_earliest ? earliest_number : balance;
+    wire [12:0] sum = (follows_added ? added_number : sum_choice) + caught_number;
+
+    assign in_ready = ready;
+    assign copy_valid = copy_shown;
+    assign copy_end = held_end;
+    assign copy_left = held_left;
+    assign copy_right = held_right;
+    assign copy_top = held_top;
+    assign copy_bottom = held_bottom;
+    assign copy_first_sum = held_first_sum;
+    assign copy_last_sum = held_last_sum;
+    assign copy_first_difference = held_first_difference;
+    assign copy_last_difference = held_last_difference;
+    assign copy_tile = held_tile;
+    assign copy_splat = place;
+    assign out_valid = out_holds;
+    assign out_end = held_out_end;
+    assign out_center_x = held_out_center_x;
+    assign out_center_y = held_out_center_y;
+    assign out_ax = held_out_ax;
+    assign out_bx = held_out_bx;
+    assign out_ay = held_out_ay;
+    assign out_by = held_out_by;
+    assign out_delta = held_out_delta;
+    assign out_mx = held_out_mx;
+    assign out_my = held_out_my;
+    assign out_sight_negative = held_out_sight_negative;
+    assign out_sight_near = held_out_sight_near;
+    assign out_sight_far = held_out_sight_far;
+    assign out_sight_turned = held_out_sight_turned;
+    assign out_sight_disc = held_out_sight_disc;
+    assign out_depth = held_out_depth;
+    assign out_depth_low = held_out_depth_low;
+    assign out_depth_high = held_out_depth_high;
+    assign out_attribute_0 = held_out_attribute_0;
+    assign out_attribute_1 = held_out_attribute_1;
+    assign out_attribute_2 = held_out_attribute_2;
+    assign out_attribute_3 = held_out_attribute_3;
+    assign out_attribute_4 = held_out_attribute_4;
+    assign out_attribute_5 = held_out_attribute_5;
+    assign out_attribute_6 = held_out_attribute_6;
+    assign out_attribute_7 = held_out_attribute_7;
+    assign out_attribute_8 = held_out_attribute_8;
+    assign out_attribute_9 = held_out_attribute_9;
+    assign out_attribute_10 = held_out_attribute_10;
+    assign out_attribute_11 = held_out_attribute_11;
+    assign out_attribute_12 = held_out_attribute_12;
+    assign out_cardinal_0 = held_out_cardinal_0;
+    assign out_left = held_out_left;
+    assign out_right = held_out_right;
+    assign out_top = held_out_top;
+    assign out_bottom = held_out_bottom;
+    assign out_first_sum = held_out_first_sum;
+    assign out_last_sum = held_out_last_sum;
+    assign out_first_difference = held_out_first_difference;
+    assign out_last_difference = held_out_last_difference;
+    assign out_tile = held_out_tile;
+    assign out_slot = held_out_slot;
+
+    memory_1w1r_unordered #(.WIDTH(325), .DEPTH(4096), .SLICE(4)) payload_words (
+        .clk(clk), .write(writing | (~holds & has_free)), .write_address({word, writing ? place : free}),
+        .write_data(word ? word_1 : payload_words_data_bits),
+        .read(advance_or_not_beat),
+        .read_address({beat_choice, advance ? placed_queue_out_splat : current_splat}),
+        .read_data(shown_word)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(13), .DEPTH(2048)) balances (
+        .clk(clk), .write(clearing | added_valid), .write_address(balances_address_choice),
+        .write_data({13{added_valid}} & added_number),
+        .read(1'd1), .read_address(begins_place), .read_data(shown_balance)
+    );
+
+    stream_skid_w24 closes (
+        .clk(clk), .rst(rst), .in_valid(closes_splat), .in_ready(closes_in_ready), .in_data({place, copies}),
+        .out_valid(closes_out_valid), .out_ready(closes_out_ready), .out_data(closes_out_data)
+    );
+
+    stream_fifo_d2048_w11 released (
+        .clk(clk), .rst(rst), .in_valid(releases), .in_ready(released_in_ready),
+        .in_data(balances_address_choice),
+        .out_valid(released_out_valid), .out_ready(takes_free), .out_data(released_out_data)
+    );
+
+    stream_skid_w55 placed_queue (
+        .clk(clk), .rst(rst), .in_valid(placed_valid), .in_ready(placed_ready),
+        .in_data({
+            placed_end, placed_left, placed_right, placed_top, placed_bottom, placed_first_sum, placed_last_sum,
+            placed_first_difference, placed_last_difference, placed_tile, placed_splat, placed_slot
+        }),
+        .out_valid(placed_queue_out_valid), .out_ready(advance), .out_data(placed_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            clearing <= 1'd1;
+            cleared <= 11'd0;
+            has_free <= 1'd0;
+            holds <= 1'd0;
+            passes <= 1'd0;
+            open <= 1'd0;
+            writing <= 1'd0;
+            current_valid <= 1'd0;
+            out_holds <= 1'd0;
+            left_valid <= 1'd0;
+            reading_valid <= 1'd0;
+            caught_valid <= 1'd0;
+            added_valid <= 1'd0;
+            earlier_valid <= 1'd0;
+        end else begin
+            clearing <= clearing & ~(clears & (cleared == 11'h7ff));
+            has_free <= takes_free ? released_out_valid : (has_free & ~begins_splat);
+            holds <= holds ? ~(copy_shown & copy_ready) : take;
+            passes <= in_valid & ~ready & ~needs_place;
+            open <= begins_splat | (open & ~closes_splat);
+            writing <= writing ? ~word : begins_splat;
+            left_valid <= is_left;
+            reading_valid <= begins;
+            caught_valid <= reading_valid;
+            added_valid <= caught_valid;
+            earlier_valid <= added_valid;
+            if (clears) cleared <= cleared + 11'd1;
+            if (advance) current_valid <= placed_queue_out_valid;
+            if (out_room) out_holds <= leaves;
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_free) free <= released_out_data;
+        if (begins_splat) place <= free;
+        if (take) copies <= begins_splat ? 13'd1 : (copies + 13'd1);
+        word <= writing ? (word ? 1'd0 : (word + 1'd1)) : begins_splat;
+        left_place <= current_splat;
+        reading_place <= begins_place;
+        reading_number <= left_valid ? 13'h1fff : closes_out_copies;
+        caught_place <= reading_place;
+        caught_number <= reading_number;
+        balance <= shown_balance;
+        added_place <= caught_place;
+        added_number <= sum;
+        earlier_place <= added_place;
+        earlier_number <= added_number;
+        earliest_number <= earlier_number;
+        follows_added <= caught_valid & (caught_place == reading_place);
+        follows_earlier <= added_valid & (added_place == reading_place);
+        follows_earliest <= earlier_valid & (earlier_place == reading_place);
+        if (~holds) begin
+            word_1 <= {
+                in_sight_far[25:0], in_sight_turned, in_sight_disc, in_depth, in_depth_low, in_depth_high,
+                in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5,
+                in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9, in_attribute_10, in_attribute_11,
+                in_attribute_12, in_cardinal_0, 1'd0
+            };
+            held_end <= in_end;
+            held_left <= in_left;
+            held_right <= in_right;
+            held_top <= in_top;
+            held_bottom <= in_bottom;
+            held_first_sum <= in_first_sum;
+            held_last_sum <= in_last_sum;
+            held_first_difference <= in_first_difference;
+            held_last_difference <= in_last_difference;
+            held_tile <= in_tile;
+        end
+        if (advance_or_not_beat) beat <= beat_choice;
+        if (advance) begin
+            current_end <= placed_queue_out_end;
+            current_left <= placed_queue_out_left;
+            current_right <= placed_queue_out_right;
+            current_top <= placed_queue_out_top;
+            current_bottom <= placed_queue_out_bottom;
+            current_first_sum <= placed_queue_out_first_sum;
+            current_last_sum <= placed_queue_out_last_sum;
+            current_first_difference <= placed_queue_out_first_difference;
+            current_last_difference <= placed_queue_out_last_difference;
+            current_tile <= placed_queue_out_tile;
+            current_splat <= placed_queue_out_splat;
+            current_slot <= placed_queue_out_slot;
+        end
+        if (~beat) kept_0 <= shown_word;
+        if (out_room) begin
+            held_out_end <= current_end;
+            held_out_center_x <= kept_0[324:293];
+            held_out_center_y <= kept_0[292:261];
+            held_out_ax <= kept_0[260:229];
+            held_out_bx <= kept_0[228:197];
+            held_out_ay <= kept_0[196:165];
+            held_out_by <= kept_0[164:133];
+            held_out_delta <= kept_0[132:101];
+            held_out_mx <= kept_0[100:69];
+            held_out_my <= kept_0[68:37];
+            held_out_sight_negative <= kept_0[36];
+            held_out_sight_near <= kept_0[35:5];
+            held_out_sight_far <= {kept_0[4:0], shown_word[324:299]};
+            held_out_sight_turned <= shown_word[298];
+            held_out_sight_disc <= shown_word[297];
+            held_out_depth <= shown_word[296:273];
+            held_out_depth_low <= shown_word[272:249];
+            held_out_depth_high <= shown_word[248:225];
+            held_out_attribute_0 <= shown_word[224:209];
+            held_out_attribute_1 <= shown_word[208:193];
+            held_out_attribute_2 <= shown_word[192:177];
+            held_out_attribute_3 <= shown_word[176:161];
+            held_out_attribute_4 <= shown_word[160:145];
+            held_out_attribute_5 <= shown_word[144:129];
+            held_out_attribute_6 <= shown_word[128:113];
+            held_out_attribute_7 <= shown_word[112:97];
+            held_out_attribute_8 <= shown_word[96:81];
+            held_out_attribute_9 <= shown_word[80:65];
+            held_out_attribute_10 <= shown_word[64:49];
+            held_out_attribute_11 <= shown_word[48:33];
+            held_out_attribute_12 <= shown_word[32:17];
+            held_out_cardinal_0 <= shown_word[16:1];
+            held_out_left <= current_left;
+            held_out_right <= current_right;
+            held_out_top <= current_top;
+            held_out_bottom <= current_bottom;
+            held_out_first_sum <= current_first_sum;
+            held_out_last_sum <= current_last_sum;
+            held_out_first_difference <= current_first_difference;
+            held_out_last_difference <= current_last_difference;
+            held_out_tile <= current_tile;
+            held_out_slot <= current_slot;
+        end
+    end
+
+    wire _unused = &{1'b0, released_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_place_that_is_free_has_room: assert (~releases | released_in_ready);
+`else
+        if (!(~releases | released_in_ready)) begin
+            $display("assertion failed: a_place_that_is_free_has_room in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 55
+module stream_skid_w55 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [54:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [54:0] out_data
+);
+    reg second_valid;
+    reg [54:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 2048
+// width = 11
+module stream_fifo_d2048_w11 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
+);
+    reg [11:0] held, waiting;
+    reg [10:0] write_address, read_address;
+    wire [10:0] item;
+
+    wire has_room = ~held[11];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(11), .DEPTH(2048)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 12'd0;
+            waiting <= 12'd0;
+            write_address <= 11'd0;
+            read_address <= 11'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {11'd0, push}) - {11'd0, pop};
+            waiting <= (waiting + {11'd0, push}) - {11'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 11'd1;
+            if (fetch) read_address <= read_address + 11'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 12'h800);
+        held_is_waiting_and_shown: assert (held == (waiting + {11'd0, out_valid}));
+`else
+        if (!(held <= 12'h800)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {11'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Queue of two in registers.
 // width = 24
 module stream_skid_w24 (
@@ -5824,6 +7185,7 @@ module splat_splitter (
     input  wire [9:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
+    output wire out_first,  // It is the first of its splat.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_ax,  // `A` in x.
@@ -5908,9 +7270,10 @@ module splat_splitter (
     reg [9:0] splat_last_difference;  // Largest difference.
     reg [5:0] column, row;
     reg [3:0] first_sum, past_sum, first_difference, past_difference;
+    reg first;
 
     wire out_queue_in_ready;
-    wire [689:0] out_queue_out_data;
+    wire [690:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire step = out_queue_in_ready & (busy & located);
@@ -5938,6 +7301,7 @@ module splat_splitter (
     wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
     wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
     wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire push = step & occupied;
     wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
     wire locate = busy & ~located;
@@ -5958,18 +7322,19 @@ module splat_splitter (
 
     assign in_ready = ready;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
+        out_end, out_first, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx,
+        out_my, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w690 out_queue (
-        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w691 out_queue (
+        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
         .in_data({
-            splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
+            splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
@@ -5992,6 +7357,7 @@ module splat_splitter (
     end
     always @(posedge clk) begin
         located <= locate | (located & ~moves);
+        first <= take | (first & ~push);
         if (moves) begin
             last <= take ? last_either : last_same;
             column <= take ? in_left[8:3] : column_choice;
@@ -6051,14 +7417,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 690
-module stream_half_buffer_w690 (
+// width = 691
+module stream_half_buffer_w691 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [689:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [689:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [690:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [690:0] out_data
 );
     reg full;
-    reg [689:0] item;
+    reg [690:0] item;
 
     assign in_ready = ~full;
 
@@ -6163,7 +7529,11 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [10:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [319:0] delay_11_from_0 [0:9];
+    reg [105:0] delay_11_from_0 [0:9];
+    (* ram_style = "distributed" *)
+    reg [106:0] delay_11_from_0_copy2 [0:9];
+    (* ram_style = "distributed" *)
+    reg [106:0] delay_11_from_0_copy3 [0:9];
     (* ram_style = "distributed" *)
     reg [52:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
@@ -6173,7 +7543,11 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg delay_16_from_0 [0:14];
     (* ram_style = "distributed" *)
-    reg [216:0] delay_17_from_0 [0:15];
+    reg [96:0] delay_17_from_0 [0:15];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_17_from_0_copy2 [0:15];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_17_from_0_copy3 [0:15];
     (* ram_style = "distributed" *)
     reg [63:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
@@ -6211,7 +7585,11 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [43:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [263:0] delay_10_from_1 [0:8];
+    reg [107:0] delay_10_from_1 [0:8];
+    (* ram_style = "distributed" *)
+    reg [100:0] delay_10_from_1_copy2 [0:8];
+    (* ram_style = "distributed" *)
+    reg [54:0] delay_10_from_1_copy3 [0:8];
     (* ram_style = "distributed" *)
     reg delay_11_from_1 [0:9];
     (* ram_style = "distributed" *)
@@ -6239,44 +7617,65 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [31:0] delay_52_from_1 [0:50];
     (* ram_style = "distributed" *)
-    reg [127:0] delay_53_from_1 [0:51];
+    reg [95:0] delay_53_from_1 [0:51];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_53_from_1_copy2 [0:51];
     (* ram_style = "distributed" *)
     reg [26:0] delay_61_from_1 [0:59];
     (* ram_style = "distributed" *)
     reg [26:0] delay_62_from_1 [0:60];
-    reg phase, load_0, load_1;
-    reg [1:0] delay_5_from_0_pointer;
+    reg [7:0] credits;
+    reg [1:0] phases_1, delay_5_from_0_pointer;
     reg [32:0] delay_5_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
     reg [34:0] delay_7_from_0_out;
+    reg [1:0] phases_2;
     reg [2:0] delay_8_from_0_pointer;
     reg [53:0] delay_8_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [10:0] delay_9_from_0_out;
+    reg [1:0] phases_3;
     reg [3:0] delay_11_from_0_pointer;
-    reg [319:0] delay_11_from_0_out;
+    reg [105:0] delay_11_from_0_out;
+    reg [1:0] phases_4;
+    reg [3:0] delay_11_from_0_copy2_pointer;
+    reg [106:0] delay_11_from_0_copy2_out;
+    reg [1:0] phases_5;
+    reg [3:0] delay_11_from_0_copy3_pointer;
+    reg [106:0] delay_11_from_0_copy3_out;
     reg [3:0] delay_12_from_0_pointer;
     reg [52:0] delay_12_from_0_out;
     reg [3:0] delay_13_from_0_pointer;
     reg [31:0] delay_13_from_0_out;
+    reg [1:0] phases_6;
     reg [3:0] delay_15_from_0_pointer;
     reg [63:0] delay_15_from_0_out;
     reg [3:0] delay_16_from_0_pointer;
     reg delay_16_from_0_out;
+    reg [1:0] phases_7;
     reg [3:0] delay_17_from_0_pointer;
-    reg [216:0] delay_17_from_0_out;
+    reg [96:0] delay_17_from_0_out;
+    reg [1:0] phases_8;
+    reg [3:0] delay_17_from_0_copy2_pointer;
+    reg [95:0] delay_17_from_0_copy2_out;
+    reg [3:0] delay_17_from_0_copy3_pointer;
+    reg [23:0] delay_17_from_0_copy3_out;
+    reg [1:0] phases_9;
     reg [4:0] delay_20_from_0_pointer;
     reg [63:0] delay_20_from_0_out;
+    reg [1:0] phases_10;
     reg [4:0] delay_23_from_0_pointer;
     reg [95:0] delay_23_from_0_out;
     reg [4:0] delay_24_from_0_pointer;
     reg [31:0] delay_24_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
     reg [10:0] delay_25_from_0_out;
+    reg [1:0] phases_11;
     reg [4:0] delay_28_from_0_pointer;
     reg [87:0] delay_28_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg delay_30_from_0_out;
+    reg [1:0] phases_12;
     reg [4:0] delay_31_from_0_pointer;
     reg [32:0] delay_31_from_0_out;
     reg [5:0] delay_35_from_0_pointer;
@@ -6287,6 +7686,7 @@ module splat_setup (
     reg [31:0] delay_40_from_0_out;
     reg [5:0] delay_51_from_0_pointer;
     reg [2:0] delay_51_from_0_out;
+    reg [1:0] phases_13;
     reg [5:0] delay_52_from_0_pointer;
     reg [64:0] delay_52_from_0_out;
     reg [5:0] delay_55_from_0_pointer;
@@ -6295,8 +7695,14 @@ module splat_setup (
     reg delay_57_from_0_out;
     reg [5:0] delay_64_from_0_pointer;
     reg delay_64_from_0_out;
+    reg [1:0] phases_14;
     reg [6:0] delay_95_from_0_pointer;
-    wire [224:0] delay_95_from_0_out;
+    wire [96:0] delay_95_from_0_out;
+    reg [1:0] phases_15;
+    reg [6:0] delay_95_from_0_copy2_pointer;
+    wire [95:0] delay_95_from_0_copy2_out;
+    reg [6:0] delay_95_from_0_copy3_pointer;
+    wire [31:0] delay_95_from_0_copy3_out;
     reg [2:0] delay_7_from_1_pointer;
     reg [32:0] delay_7_from_1_out;
     reg [2:0] delay_8_from_1_pointer;
@@ -6304,7 +7710,11 @@ module splat_setup (
     reg [2:0] delay_9_from_1_pointer;
     reg [43:0] delay_9_from_1_out;
     reg [3:0] delay_10_from_1_pointer;
-    reg [263:0] delay_10_from_1_out;
+    reg [107:0] delay_10_from_1_out;
+    reg [3:0] delay_10_from_1_copy2_pointer;
+    reg [100:0] delay_10_from_1_copy2_out;
+    reg [3:0] delay_10_from_1_copy3_pointer;
+    reg [54:0] delay_10_from_1_copy3_out;
     reg [3:0] delay_11_from_1_pointer;
     reg delay_11_from_1_out;
     reg [3:0] delay_12_from_1_pointer;
@@ -6332,17 +7742,29 @@ module splat_setup (
     reg [5:0] delay_52_from_1_pointer;
     reg [31:0] delay_52_from_1_out;
     reg [5:0] delay_53_from_1_pointer;
-    reg [127:0] delay_53_from_1_out;
+    reg [95:0] delay_53_from_1_out;
+    reg [5:0] delay_53_from_1_copy2_pointer;
+    reg [31:0] delay_53_from_1_copy2_out;
     reg [5:0] delay_61_from_1_pointer;
     reg [26:0] delay_61_from_1_out;
     reg [5:0] delay_62_from_1_pointer;
     reg [26:0] delay_62_from_1_out;
     reg [6:0] delay_86_from_1_pointer;
     wire delay_86_from_1_out;
-    reg [31:0] center_x_d1, center_x_d2, center_x_d3, center_y_d1, center_y_d2, center_y_d3, center_z_d1;
-    reg [31:0] center_z_d2, center_z_d3, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3, tangent1_y_d1, tangent1_y_d2;
-    reg [31:0] tangent1_y_d3, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, tangent2_x_d1, tangent2_x_d2;
-    reg [31:0] tangent2_x_d3, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, tangent2_z_d1, tangent2_z_d2;
+    reg [31:0] center_x_d1, center_x_d2;
+    reg [1:0] phases_16;
+    reg [31:0] center_x_d3, center_y_d1, center_y_d2, center_y_d3;
+    reg [1:0] phases_17;
+    reg [31:0] center_z_d1, center_z_d2, center_z_d3, tangent1_x_d1;
+    reg [1:0] phases_18;
+    reg [31:0] tangent1_x_d2, tangent1_x_d3, tangent1_y_d1, tangent1_y_d2;
+    reg [1:0] phases_19;
+    reg [31:0] tangent1_y_d3, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3;
+    reg [1:0] phases_20;
+    reg [31:0] tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, tangent2_y_d1;
+    reg [1:0] phases_21;
+    reg [31:0] tangent2_y_d2, tangent2_y_d3, tangent2_z_d1, tangent2_z_d2;
+    reg [1:0] phases_22;
     reg [31:0] tangent2_z_d3;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
@@ -6392,13 +7814,15 @@ module splat_setup (
     reg lowered_chosen_sign_d1, lowered_chosen_sign_d2, lowered_chosen_sign_d3, lowered_chosen_sign_d4;
     reg a_y_inverted_d1, a_y_inverted_d2, a_y_inverted_d3, a_y_in_order_and_a_y_inverted_d1;
     reg lowered_chosen_bits_is_255_d1_copy2;
-    reg [22:0] lowered_chosen_bits_d1_copy15, lowered_chosen_bits_d2_copy8, lowered_chosen_bits_d3_copy8;
-    reg [22:0] lowered_chosen_bits_d4_copy2;
+    reg [22:0] lowered_chosen_bits_d1_copy15, lowered_chosen_bits_d2_copy8;
+    reg [1:0] phases_23;
+    reg [22:0] lowered_chosen_bits_d3_copy8, lowered_chosen_bits_d4_copy2;
     reg [7:0] a_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy2, lowered_chosen_sign_d2_copy2, lowered_chosen_sign_d3_copy2;
     reg lowered_chosen_sign_d4_copy2, alpha_inverted_d1, alpha_inverted_d2, alpha_inverted_d3, alpha_both_d1;
     reg lowered_chosen_bits_is_255_d1_copy3;
     reg [22:0] lowered_chosen_bits_d1_copy16, lowered_chosen_bits_d2_copy9, lowered_chosen_bits_d3_copy9;
+    reg [1:0] phases_24;
     reg [22:0] lowered_chosen_bits_d4_copy3;
     reg [7:0] alpha_chosen_d1;
     reg lowered_chosen_sign_d1_copy3, lowered_chosen_sign_d2_copy3, lowered_chosen_sign_d3_copy3;
@@ -6410,37 +7834,50 @@ module splat_setup (
     reg lowered_chosen_sign_d1_copy4, lowered_chosen_sign_d2_copy4, lowered_chosen_sign_d3_copy4;
     reg lowered_chosen_sign_d4_copy4, b_y_inverted_d1, b_y_inverted_d2, b_y_inverted_d3;
     reg b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
+    reg [1:0] phases_25;
     reg [22:0] lowered_chosen_bits_d1_copy18, lowered_chosen_bits_d2_copy11, lowered_chosen_bits_d3_copy11;
     reg [22:0] lowered_chosen_bits_d4_copy5;
     reg [7:0] b_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy5, lowered_chosen_sign_d2_copy5, lowered_chosen_sign_d3_copy5;
     reg lowered_chosen_sign_d4_copy5, beta_inverted_d1, beta_inverted_d2, beta_inverted_d3, beta_both_d1;
     reg lowered_chosen_bits_is_255_d1_copy6;
-    reg [22:0] lowered_chosen_bits_d1_copy19, lowered_chosen_bits_d2_copy12, lowered_chosen_bits_d3_copy12;
-    reg [22:0] lowered_chosen_bits_d4_copy6;
+    reg [22:0] lowered_chosen_bits_d1_copy19;
+    reg [1:0] phases_26;
+    reg [22:0] lowered_chosen_bits_d2_copy12, lowered_chosen_bits_d3_copy12, lowered_chosen_bits_d4_copy6;
     reg [7:0] beta_chosen_d1;
     reg lowered_chosen_sign_d1_copy6, lowered_chosen_sign_d2_copy6, lowered_chosen_sign_d3_copy6;
     reg lowered_chosen_sign_d4_copy6, not_turned_d1, beyond_near_and_not_turned_d15;
     reg beyond_near_and_not_turned_d16, beyond_near_and_not_turned_d17, beyond_near_and_not_turned_d18;
-    reg [31:0] reaches_near_sum_d1_copy2, alpha_d12, alpha_d13, beta_d12, beta_d13, e_d1, e_d2;
+    reg [31:0] reaches_near_sum_d1_copy2, alpha_d12;
+    reg [1:0] phases_27;
+    reg [31:0] alpha_d13, beta_d12, beta_d13, e_d1, e_d2;
     reg whole_d1;
     reg [31:0] spread_middle_d1, spread_middle_d2, spread_middle_d3, spread_middle_d4, spread_middle_d5;
-    reg [31:0] spread_half_d1, spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1;
-    reg [31:0] before_far_joined_d1, a_x_joined_times_r_d1, a_x_joined_times_r_d2, a_x_joined_times_r_d3;
-    reg [31:0] a_x_joined_times_r_d4, b_x_joined_times_r_d1, b_x_joined_times_r_d2, b_x_joined_times_r_d3;
-    reg [31:0] b_x_joined_times_r_d4, h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4;
-    reg [31:0] center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2, center_x_plus_first_x_joined_d1;
-    reg [31:0] center_x_plus_first_x_joined_d2;
+    reg [31:0] spread_half_d1;
+    reg [1:0] phases_28;
+    reg [31:0] spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1, before_far_joined_d1;
+    reg [31:0] a_x_joined_times_r_d1;
+    reg [1:0] phases_29;
+    reg [31:0] a_x_joined_times_r_d2, a_x_joined_times_r_d3, a_x_joined_times_r_d4, b_x_joined_times_r_d1;
+    reg [1:0] phases_30;
+    reg [31:0] b_x_joined_times_r_d2, b_x_joined_times_r_d3, b_x_joined_times_r_d4, h_x_product_d1, h_x_product_d2;
+    reg [31:0] h_x_product_d3, h_x_product_d4, center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2;
+    reg [31:0] center_x_plus_first_x_joined_d1, center_x_plus_first_x_joined_d2;
     reg first_x_in_order_d1_copy3;
     reg [31:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, last_x_chosen_d1, last_x_chosen_d2;
     reg [21:0] first_x_shifted_d1, first_x_shifted_d2, first_x_shifted_d3, last_x_shifted_d1, last_x_lesser_d1;
+    reg [1:0] phases_31;
     reg [31:0] a_y_joined_times_r_d1, a_y_joined_times_r_d2, a_y_joined_times_r_d3, a_y_joined_times_r_d4;
+    reg [1:0] phases_32;
     reg [31:0] b_y_joined_times_r_d1, b_y_joined_times_r_d2, b_y_joined_times_r_d3, b_y_joined_times_r_d4;
+    reg [1:0] phases_33;
     reg [31:0] center_y_d1_copy2, h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4;
     reg [31:0] center_y_minus_first_y_joined_d1, center_y_minus_first_y_joined_d2, center_y_plus_first_y_joined_d1;
     reg [31:0] center_y_plus_first_y_joined_d2, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2;
     reg [31:0] last_y_chosen_d1, last_y_chosen_d2, first_y_chosen_d1_copy2;
-    reg [21:0] first_y_shifted_d1, first_y_shifted_d2, first_y_shifted_d3;
+    reg [21:0] first_y_shifted_d1;
+    reg [1:0] phases_34;
+    reg [21:0] first_y_shifted_d2, first_y_shifted_d3;
     reg [31:0] last_y_greater_d1;
     reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [10:0] a_x_bits_d1, a_x_bits_d11, a_y_bits_d1, a_y_bits_d11, a_exponent_d1, b_x_bits_d1, b_x_bits_d11;
@@ -6468,8 +7905,9 @@ module splat_setup (
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1;
     reg [31:0] unit_delta_joined_d1_copy4, unit_delta_joined_d2_copy3;
-    reg [10:0] beta_bits_d12, a_exponent_plus_beta_bits_d1, alpha_bits_d12, b_exponent_plus_alpha_bits_d1;
-    reg [10:0] m_exponent_d1, mx_sum_d1;
+    reg [10:0] beta_bits_d12, a_exponent_plus_beta_bits_d1;
+    reg [1:0] phases_35;
+    reg [10:0] alpha_bits_d12, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
     reg mx_both_d1, beta_bits_is_255_d1;
     reg [7:0] mx_chosen_d1;
     reg [31:0] mx_joined_d1;
@@ -6480,7 +7918,9 @@ module splat_setup (
     reg [10:0] largest_sum_d9, unit_delta_bits_d1, unit_delta_bits_d2, unit_delta_bits_d3, largest_greater_d1;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
-    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_chosen_d1_copy2;
+    reg [1:0] phases_36;
+    reg [10:0] largest_greater_d1_copy3, largest_d1, a_x_bits_plus_381_d1;
     reg ax_out_both_d1;
     reg [7:0] ax_out_chosen_d1;
     reg [31:0] ax_out_joined_d1;
@@ -6503,12 +7943,14 @@ module splat_setup (
     reg [31:0] delta_d1;
     reg [10:0] mx_bits_d1, mx_sum_plus_mx_bits_d1;
     reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
+    reg [1:0] phases_37;
     reg [22:0] mx_bits_d1_copy2;
     reg [30:0] mx_joined_d1_copy3;
     reg mx_bits_d1_copy3, mx_bits_d2;
     reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
     reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
     reg [22:0] my_bits_d1_copy2;
+    reg [1:0] phases_38;
     reg [30:0] my_joined_d1;
     reg my_bits_d1_copy3, my_bits_d2;
     reg [10:0] edge_on_lesser_d1;
@@ -6517,85 +7959,206 @@ module splat_setup (
     reg [7:0] unit_delta_product_bits_d4;
     reg edge_on_in_order_d1, doubtful_in_order_d1;
     reg [31:0] f_times_first_sum_sum_d1, f_times_first_sum_sum_d2, f_times_first_sum_sum_d3;
-    reg [31:0] f_times_first_sum_sum_d4, first_sum_sum_d1, first_sum_sum_d2, first_sum_sum_d3, first_sum_sum_d4;
-    reg [31:0] first_sum_product_d1, first_sum_sum_d1_copy2, first_sum_sum_d2_copy2;
+    reg [31:0] f_times_first_sum_sum_d4, first_sum_sum_d1, first_sum_sum_d2;
+    reg [1:0] phases_39;
+    reg [31:0] first_sum_sum_d3, first_sum_sum_d4, first_sum_product_d1, first_sum_sum_d1_copy2;
+    reg [31:0] first_sum_sum_d2_copy2;
+    reg [1:0] phases_40;
     reg [26:0] first_sum_sum_d1_copy3;
     reg [31:0] last_sum_sum_d1, last_sum_sum_d2;
     reg [26:0] last_sum_sum_d1_copy2;
+    reg [1:0] phases_41;
     reg [31:0] first_difference_sum_d1, first_difference_sum_d2, first_difference_lesser_d1;
     reg [26:0] first_difference_sum_d1_copy2;
-    reg [31:0] last_difference_sum_d1, last_difference_sum_d2, last_difference_chosen_d1;
+    reg [31:0] last_difference_sum_d1;
+    reg [1:0] phases_42;
+    reg [31:0] last_difference_sum_d2, last_difference_chosen_d1;
     reg [26:0] last_difference_sum_d1_copy2;
     reg [21:0] center_x_fixed_d1;
     reg whole_and_first_sum_both_d1, whole_and_first_sum_both_d2;
     reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
-    reg [26:0] first_sum_greater_d1, last_sum_lesser_d1, first_difference_difference_d1, first_difference_shifted_d1;
-    reg [26:0] first_difference_sum_d1_copy3, last_difference_sum_d1_copy3, last_difference_shifted_d1;
-    reg [26:0] last_difference_sum_d1_copy4, first_difference_greater_d1, last_difference_lesser_d1;
+    reg [26:0] first_sum_greater_d1, last_sum_lesser_d1;
+    reg [1:0] phases_43;
+    reg [26:0] first_difference_difference_d1, first_difference_shifted_d1, first_difference_sum_d1_copy3;
+    reg [26:0] last_difference_sum_d1_copy3, last_difference_shifted_d1, last_difference_sum_d1_copy4;
+    reg [26:0] first_difference_greater_d1, last_difference_lesser_d1;
     reg first_sum_up_to_last_sum_d1, first_sum_up_to_last_sum_d2, visible_in_order_d1;
     reg [9:0] first_sum_out_d1, first_sum_out_d2, last_sum_out_d1, last_sum_out_d2, first_difference_out_d1;
     reg [9:0] last_difference_out_d1;
     reg before_far_and_occupied_x_d1, visible_both_d1;
     reg [31:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2, delta_times_one_over_b_depth_d1;
+    reg [1:0] phases_44;
     reg [31:0] middle_depth_minus_epsilon_d1, middle_depth_plus_epsilon_d1, depth_high_out_greater_d1;
-    reg [31:0] max_f32_ftz_unit_a, max_f32_ftz_unit_b, max_f32_ftz_unit_copy2_a, max_f32_ftz_unit_copy2_b;
-    reg [31:0] max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b, max_f32_ftz_unit_copy4_a;
-    reg [31:0] max_f32_ftz_unit_copy4_b, max_f32_ftz_unit_copy5_a, max_f32_ftz_unit_copy5_b;
-    reg [31:0] max_f32_ftz_unit_copy6_a, max_f32_ftz_unit_copy6_b, max_f32_ftz_unit_copy7_a;
-    reg [31:0] max_f32_ftz_unit_copy7_b, max_f32_ftz_unit_copy8_a, max_f32_ftz_unit_copy8_b, lt_f32_ftz_unit_a;
-    reg [31:0] lt_f32_ftz_unit_b, lt_f32_ftz_unit_copy2_a, lt_f32_ftz_unit_copy2_b, lt_f32_ftz_unit_copy3_a;
-    reg [31:0] lt_f32_ftz_unit_copy3_b, lt_f32_ftz_unit_copy4_a, lt_f32_ftz_unit_copy4_b, lt_f32_ftz_unit_copy5_a;
-    reg [31:0] lt_f32_ftz_unit_copy5_b, add_f32_ftz_unit_a, add_f32_ftz_unit_b, add_f32_ftz_unit_copy2_a;
-    reg [31:0] add_f32_ftz_unit_copy2_b, add_f32_ftz_unit_copy3_a, add_f32_ftz_unit_copy3_b;
-    reg [31:0] add_f32_ftz_unit_copy4_a, add_f32_ftz_unit_copy4_b, add_f32_ftz_unit_copy5_a;
-    reg [31:0] add_f32_ftz_unit_copy5_b, add_f32_ftz_unit_copy6_a, add_f32_ftz_unit_copy6_b;
-    reg [31:0] add_f32_ftz_unit_copy7_a, add_f32_ftz_unit_copy7_b, add_f32_ftz_unit_copy8_a;
-    reg [31:0] add_f32_ftz_unit_copy8_b, add_f32_ftz_unit_copy9_a, add_f32_ftz_unit_copy9_b;
-    reg [31:0] add_f32_ftz_unit_copy10_a, add_f32_ftz_unit_copy10_b, add_f32_ftz_unit_copy11_a;
-    reg [31:0] add_f32_ftz_unit_copy11_b, add_f32_ftz_unit_copy12_a, add_f32_ftz_unit_copy12_b;
-    reg [31:0] add_f32_ftz_unit_copy13_a, add_f32_ftz_unit_copy13_b, add_f32_ftz_unit_copy14_a;
-    reg [31:0] add_f32_ftz_unit_copy14_b, add_f32_ftz_unit_copy15_a, add_f32_ftz_unit_copy15_b;
-    reg [31:0] add_f32_ftz_unit_copy16_a, add_f32_ftz_unit_copy16_b, add_f32_ftz_unit_copy17_a;
-    reg [31:0] add_f32_ftz_unit_copy17_b, add_f32_ftz_unit_copy18_a, add_f32_ftz_unit_copy18_b;
-    reg [31:0] add_f32_ftz_unit_copy19_a, add_f32_ftz_unit_copy19_b, add_f32_ftz_unit_copy20_a;
-    reg [31:0] add_f32_ftz_unit_copy20_b, add_f32_ftz_unit_copy21_a, add_f32_ftz_unit_copy21_b;
-    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b, add_f32_ftz_unit_copy23_a;
-    reg [31:0] add_f32_ftz_unit_copy23_b, add_f32_ftz_unit_copy24_a, add_f32_ftz_unit_copy24_b;
-    reg [31:0] add_f32_ftz_unit_copy25_a, add_f32_ftz_unit_copy25_b, add_f32_ftz_unit_copy26_a;
-    reg [31:0] add_f32_ftz_unit_copy26_b, add_f32_ftz_unit_copy27_a, add_f32_ftz_unit_copy27_b;
-    reg [31:0] add_f32_ftz_unit_copy28_a, add_f32_ftz_unit_copy28_b, recip_f32_ftz_unit_a;
-    reg [31:0] recip_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_a, mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a;
-    reg [31:0] mul_f32_ftz_unit_copy2_b, mul_f32_ftz_unit_copy3_a, mul_f32_ftz_unit_copy3_b;
-    reg [31:0] mul_f32_ftz_unit_copy4_a, mul_f32_ftz_unit_copy4_b, mul_f32_ftz_unit_copy5_a;
-    reg [31:0] mul_f32_ftz_unit_copy5_b, mul_f32_ftz_unit_copy6_a, mul_f32_ftz_unit_copy6_b;
-    reg [31:0] mul_f32_ftz_unit_copy7_a, mul_f32_ftz_unit_copy7_b, mul_f32_ftz_unit_copy8_a;
-    reg [31:0] mul_f32_ftz_unit_copy8_b, mul_f32_ftz_unit_copy9_a, mul_f32_ftz_unit_copy9_b;
-    reg [31:0] mul_f32_ftz_unit_copy10_a, mul_f32_ftz_unit_copy10_b, mul_f32_ftz_unit_copy11_a;
-    reg [31:0] mul_f32_ftz_unit_copy11_b, mul_f32_ftz_unit_copy12_a, mul_f32_ftz_unit_copy12_b;
-    reg [31:0] mul_f32_ftz_unit_copy13_a, mul_f32_ftz_unit_copy13_b, mul_f32_ftz_unit_copy14_a;
-    reg [31:0] mul_f32_ftz_unit_copy14_b, mul_f32_ftz_unit_copy15_a, mul_f32_ftz_unit_copy15_b;
-    reg [31:0] mul_f32_ftz_unit_copy16_a, mul_f32_ftz_unit_copy16_b, mul_f32_ftz_unit_copy17_a;
-    reg [31:0] mul_f32_ftz_unit_copy17_b, mul_f32_ftz_unit_copy18_a, mul_f32_ftz_unit_copy18_b;
-    reg [31:0] mul_f32_ftz_unit_copy19_a, mul_f32_ftz_unit_copy19_b, mul_f32_ftz_unit_copy20_a;
-    reg [31:0] mul_f32_ftz_unit_copy20_b, mul_f32_ftz_unit_copy21_a, mul_f32_ftz_unit_copy21_b;
-    reg [31:0] mul_f32_ftz_unit_copy22_a, mul_f32_ftz_unit_copy22_b, mul_f32_ftz_unit_copy23_a;
-    reg [31:0] mul_f32_ftz_unit_copy23_b, mul_f32_ftz_unit_copy24_a, mul_f32_ftz_unit_copy24_b;
-    reg [31:0] mul_f32_ftz_unit_copy25_a, mul_f32_ftz_unit_copy25_b, mul_f32_ftz_unit_copy26_a;
-    reg [31:0] mul_f32_ftz_unit_copy26_b, mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b;
-    reg [31:0] mul_f32_ftz_unit_copy28_a, mul_f32_ftz_unit_copy28_b, mul_f32_ftz_unit_copy29_a;
-    reg [31:0] mul_f32_ftz_unit_copy29_b, mul_f32_ftz_unit_copy30_a, mul_f32_ftz_unit_copy30_b, sqrt_f32_ftz_unit_a;
-    reg [31:0] sqrt_f32_ftz_unit_copy2_a, sqrt_f32_ftz_unit_copy3_a, le_f32_ftz_unit_a, le_f32_ftz_unit_b;
-    reg [31:0] le_f32_ftz_unit_copy2_a, le_f32_ftz_unit_copy2_b, min_f32_ftz_unit_a, min_f32_ftz_unit_b;
-    reg [31:0] min_f32_ftz_unit_copy2_a, min_f32_ftz_unit_copy2_b, min_f32_ftz_unit_copy3_a;
-    reg [31:0] min_f32_ftz_unit_copy3_b, min_f32_ftz_unit_copy4_a, min_f32_ftz_unit_copy4_b;
-    reg [31:0] min_f32_ftz_unit_copy5_a, min_f32_ftz_unit_copy5_b, to_fixed_f32_ftz_u21q8_unit_a;
-    reg [31:0] to_fixed_f32_ftz_u21q8_unit_copy2_a, to_fixed_f32_ftz_u23q8_unit_a;
-    reg [31:0] to_fixed_f32_ftz_u23q8_unit_copy2_a, to_fixed_f32_ftz_s22q8_unit_a, to_fixed_f32_ftz_u24q24_unit_a;
-    reg [31:0] to_fixed_f32_ftz_u24q24_unit_copy2_a;
+    reg max_f32_ftz_unit_phase;
+    reg [31:0] max_f32_ftz_unit_a, max_f32_ftz_unit_b;
+    reg max_f32_ftz_unit_copy2_phase;
+    reg [31:0] max_f32_ftz_unit_copy2_a, max_f32_ftz_unit_copy2_b;
+    reg max_f32_ftz_unit_copy3_phase;
+    reg [31:0] max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b;
+    reg max_f32_ftz_unit_copy4_phase;
+    reg [31:0] max_f32_ftz_unit_copy4_a, max_f32_ftz_unit_copy4_b;
+    reg max_f32_ftz_unit_copy5_phase;
+    reg [31:0] max_f32_ftz_unit_copy5_a, max_f32_ftz_unit_copy5_b;
+    reg max_f32_ftz_unit_copy6_phase;
+    reg [31:0] max_f32_ftz_unit_copy6_a, max_f32_ftz_unit_copy6_b;
+    reg max_f32_ftz_unit_copy7_phase;
+    reg [31:0] max_f32_ftz_unit_copy7_a, max_f32_ftz_unit_copy7_b;
+    reg max_f32_ftz_unit_copy8_phase;
+    reg [31:0] max_f32_ftz_unit_copy8_a, max_f32_ftz_unit_copy8_b;
+    reg lt_f32_ftz_unit_phase;
+    reg [31:0] lt_f32_ftz_unit_a, lt_f32_ftz_unit_b;
+    reg lt_f32_ftz_unit_copy2_phase;
+    reg [31:0] lt_f32_ftz_unit_copy2_a, lt_f32_ftz_unit_copy2_b;
+    reg lt_f32_ftz_unit_copy3_phase;
+    reg [31:0] lt_f32_ftz_unit_copy3_a, lt_f32_ftz_unit_copy3_b;
+    reg lt_f32_ftz_unit_copy4_phase;
+    reg [31:0] lt_f32_ftz_unit_copy4_a, lt_f32_ftz_unit_copy4_b, lt_f32_ftz_unit_copy5_a;
+    reg add_f32_ftz_unit_phase;
+    reg [31:0] add_f32_ftz_unit_a, add_f32_ftz_unit_b;
+    reg add_f32_ftz_unit_copy2_phase;
+    reg [31:0] add_f32_ftz_unit_copy2_a, add_f32_ftz_unit_copy2_b;
+    reg add_f32_ftz_unit_copy3_phase;
+    reg [31:0] add_f32_ftz_unit_copy3_a, add_f32_ftz_unit_copy3_b;
+    reg add_f32_ftz_unit_copy4_phase;
+    reg [31:0] add_f32_ftz_unit_copy4_a, add_f32_ftz_unit_copy4_b;
+    reg add_f32_ftz_unit_copy5_phase;
+    reg [31:0] add_f32_ftz_unit_copy5_a, add_f32_ftz_unit_copy5_b;
+    reg add_f32_ftz_unit_copy6_phase;
+    reg [31:0] add_f32_ftz_unit_copy6_a, add_f32_ftz_unit_copy6_b;
+    reg add_f32_ftz_unit_copy7_phase;
+    reg [31:0] add_f32_ftz_unit_copy7_a, add_f32_ftz_unit_copy7_b;
+    reg add_f32_ftz_unit_copy8_phase;
+    reg [31:0] add_f32_ftz_unit_copy8_a, add_f32_ftz_unit_copy8_b;
+    reg add_f32_ftz_unit_copy9_phase;
+    reg [31:0] add_f32_ftz_unit_copy9_a, add_f32_ftz_unit_copy9_b;
+    reg add_f32_ftz_unit_copy10_phase;
+    reg [31:0] add_f32_ftz_unit_copy10_a, add_f32_ftz_unit_copy10_b;
+    reg add_f32_ftz_unit_copy11_phase;
+    reg [31:0] add_f32_ftz_unit_copy11_a, add_f32_ftz_unit_copy11_b;
+    reg add_f32_ftz_unit_copy12_phase;
+    reg [31:0] add_f32_ftz_unit_copy12_a, add_f32_ftz_unit_copy12_b;
+    reg add_f32_ftz_unit_copy13_phase;
+    reg [31:0] add_f32_ftz_unit_copy13_a, add_f32_ftz_unit_copy13_b;
+    reg add_f32_ftz_unit_copy14_phase;
+    reg [31:0] add_f32_ftz_unit_copy14_a, add_f32_ftz_unit_copy14_b;
+    reg add_f32_ftz_unit_copy15_phase;
+    reg [31:0] add_f32_ftz_unit_copy15_a, add_f32_ftz_unit_copy15_b;
+    reg add_f32_ftz_unit_copy16_phase;
+    reg [31:0] add_f32_ftz_unit_copy16_a, add_f32_ftz_unit_copy16_b;
+    reg add_f32_ftz_unit_copy17_phase;
+    reg [31:0] add_f32_ftz_unit_copy17_a, add_f32_ftz_unit_copy17_b;
+    reg add_f32_ftz_unit_copy18_phase;
+    reg [31:0] add_f32_ftz_unit_copy18_a, add_f32_ftz_unit_copy18_b;
+    reg add_f32_ftz_unit_copy19_phase;
+    reg [31:0] add_f32_ftz_unit_copy19_a, add_f32_ftz_unit_copy19_b;
+    reg add_f32_ftz_unit_copy20_phase;
+    reg [31:0] add_f32_ftz_unit_copy20_a, add_f32_ftz_unit_copy20_b;
+    reg add_f32_ftz_unit_copy21_phase;
+    reg [31:0] add_f32_ftz_unit_copy21_a, add_f32_ftz_unit_copy21_b;
+    reg add_f32_ftz_unit_copy22_phase;
+    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b;
+    reg add_f32_ftz_unit_copy23_phase;
+    reg [31:0] add_f32_ftz_unit_copy23_a, add_f32_ftz_unit_copy23_b;
+    reg add_f32_ftz_unit_copy24_phase;
+    reg [31:0] add_f32_ftz_unit_copy24_a, add_f32_ftz_unit_copy24_b;
+    reg add_f32_ftz_unit_copy25_phase;
+    reg [31:0] add_f32_ftz_unit_copy25_a, add_f32_ftz_unit_copy25_b;
+    reg add_f32_ftz_unit_copy26_phase;
+    reg [31:0] add_f32_ftz_unit_copy26_a, add_f32_ftz_unit_copy26_b;
+    reg add_f32_ftz_unit_copy27_phase;
+    reg [31:0] add_f32_ftz_unit_copy27_a, add_f32_ftz_unit_copy27_b, add_f32_ftz_unit_copy28_a;
+    reg [31:0] add_f32_ftz_unit_copy28_b;
+    reg recip_f32_ftz_unit_phase;
+    reg [31:0] recip_f32_ftz_unit_a, recip_f32_ftz_unit_copy2_a;
+    reg mul_f32_ftz_unit_phase;
+    reg [31:0] mul_f32_ftz_unit_a, mul_f32_ftz_unit_b;
+    reg mul_f32_ftz_unit_copy2_phase;
+    reg [31:0] mul_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_copy2_b;
+    reg mul_f32_ftz_unit_copy3_phase;
+    reg [31:0] mul_f32_ftz_unit_copy3_a, mul_f32_ftz_unit_copy3_b;
+    reg mul_f32_ftz_unit_copy4_phase;
+    reg [31:0] mul_f32_ftz_unit_copy4_a, mul_f32_ftz_unit_copy4_b;
+    reg mul_f32_ftz_unit_copy5_phase;
+    reg [31:0] mul_f32_ftz_unit_copy5_a, mul_f32_ftz_unit_copy5_b;
+    reg mul_f32_ftz_unit_copy6_phase;
+    reg [31:0] mul_f32_ftz_unit_copy6_a, mul_f32_ftz_unit_copy6_b;
+    reg mul_f32_ftz_unit_copy7_phase;
+    reg [31:0] mul_f32_ftz_unit_copy7_a, mul_f32_ftz_unit_copy7_b;
+    reg mul_f32_ftz_unit_copy8_phase;
+    reg [31:0] mul_f32_ftz_unit_copy8_a, mul_f32_ftz_unit_copy8_b;
+    reg mul_f32_ftz_unit_copy9_phase;
+    reg [31:0] mul_f32_ftz_unit_copy9_a, mul_f32_ftz_unit_copy9_b;
+    reg mul_f32_ftz_unit_copy10_phase;
+    reg [31:0] mul_f32_ftz_unit_copy10_a, mul_f32_ftz_unit_copy10_b;
+    reg mul_f32_ftz_unit_copy11_phase;
+    reg [31:0] mul_f32_ftz_unit_copy11_a, mul_f32_ftz_unit_copy11_b;
+    reg mul_f32_ftz_unit_copy12_phase;
+    reg [31:0] mul_f32_ftz_unit_copy12_a, mul_f32_ftz_unit_copy12_b;
+    reg mul_f32_ftz_unit_copy13_phase;
+    reg [31:0] mul_f32_ftz_unit_copy13_a, mul_f32_ftz_unit_copy13_b;
+    reg mul_f32_ftz_unit_copy14_phase;
+    reg [31:0] mul_f32_ftz_unit_copy14_a, mul_f32_ftz_unit_copy14_b;
+    reg mul_f32_ftz_unit_copy15_phase;
+    reg [31:0] mul_f32_ftz_unit_copy15_a, mul_f32_ftz_unit_copy15_b;
+    reg mul_f32_ftz_unit_copy16_phase;
+    reg [31:0] mul_f32_ftz_unit_copy16_a, mul_f32_ftz_unit_copy16_b;
+    reg mul_f32_ftz_unit_copy17_phase;
+    reg [31:0] mul_f32_ftz_unit_copy17_a, mul_f32_ftz_unit_copy17_b;
+    reg mul_f32_ftz_unit_copy18_phase;
+    reg [31:0] mul_f32_ftz_unit_copy18_a, mul_f32_ftz_unit_copy18_b;
+    reg mul_f32_ftz_unit_copy19_phase;
+    reg [31:0] mul_f32_ftz_unit_copy19_a, mul_f32_ftz_unit_copy19_b;
+    reg mul_f32_ftz_unit_copy20_phase;
+    reg [31:0] mul_f32_ftz_unit_copy20_a, mul_f32_ftz_unit_copy20_b;
+    reg mul_f32_ftz_unit_copy21_phase;
+    reg [31:0] mul_f32_ftz_unit_copy21_a, mul_f32_ftz_unit_copy21_b;
+    reg mul_f32_ftz_unit_copy22_phase;
+    reg [31:0] mul_f32_ftz_unit_copy22_a, mul_f32_ftz_unit_copy22_b;
+    reg mul_f32_ftz_unit_copy23_phase;
+    reg [31:0] mul_f32_ftz_unit_copy23_a, mul_f32_ftz_unit_copy23_b;
+    reg mul_f32_ftz_unit_copy24_phase;
+    reg [31:0] mul_f32_ftz_unit_copy24_a, mul_f32_ftz_unit_copy24_b;
+    reg mul_f32_ftz_unit_copy25_phase;
+    reg [31:0] mul_f32_ftz_unit_copy25_a, mul_f32_ftz_unit_copy25_b;
+    reg mul_f32_ftz_unit_copy26_phase;
+    reg [31:0] mul_f32_ftz_unit_copy26_a, mul_f32_ftz_unit_copy26_b;
+    reg mul_f32_ftz_unit_copy27_phase;
+    reg [31:0] mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b;
+    reg mul_f32_ftz_unit_copy28_phase;
+    reg [31:0] mul_f32_ftz_unit_copy28_a, mul_f32_ftz_unit_copy28_b;
+    reg mul_f32_ftz_unit_copy29_phase;
+    reg [31:0] mul_f32_ftz_unit_copy29_a, mul_f32_ftz_unit_copy29_b;
+    reg mul_f32_ftz_unit_copy30_phase;
+    reg [31:0] mul_f32_ftz_unit_copy30_a, mul_f32_ftz_unit_copy30_b;
+    reg sqrt_f32_ftz_unit_phase;
+    reg [31:0] sqrt_f32_ftz_unit_a;
+    reg sqrt_f32_ftz_unit_copy2_phase;
+    reg [31:0] sqrt_f32_ftz_unit_copy2_a, sqrt_f32_ftz_unit_copy3_a;
+    reg le_f32_ftz_unit_phase;
+    reg [31:0] le_f32_ftz_unit_a, le_f32_ftz_unit_b;
+    reg le_f32_ftz_unit_copy2_phase;
+    reg [31:0] le_f32_ftz_unit_copy2_a, le_f32_ftz_unit_copy2_b;
+    reg min_f32_ftz_unit_phase;
+    reg [31:0] min_f32_ftz_unit_a, min_f32_ftz_unit_b;
+    reg min_f32_ftz_unit_copy2_phase;
+    reg [31:0] min_f32_ftz_unit_copy2_a, min_f32_ftz_unit_copy2_b;
+    reg min_f32_ftz_unit_copy3_phase;
+    reg [31:0] min_f32_ftz_unit_copy3_a, min_f32_ftz_unit_copy3_b;
+    reg min_f32_ftz_unit_copy4_phase;
+    reg [31:0] min_f32_ftz_unit_copy4_a, min_f32_ftz_unit_copy4_b, min_f32_ftz_unit_copy5_b;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_a;
+    reg to_fixed_f32_ftz_u21q8_unit_copy2_phase;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_copy2_a;
+    reg to_fixed_f32_ftz_u23q8_unit_phase;
+    reg [31:0] to_fixed_f32_ftz_u23q8_unit_a, to_fixed_f32_ftz_u23q8_unit_copy2_a;
+    reg to_fixed_f32_ftz_s22q8_unit_phase;
+    reg [31:0] to_fixed_f32_ftz_s22q8_unit_a;
+    reg to_fixed_f32_ftz_u24q24_unit_phase;
+    reg [31:0] to_fixed_f32_ftz_u24q24_unit_a, to_fixed_f32_ftz_u24q24_unit_copy2_a;
+    reg [1:0] phases_45;
     reg [94:0] in_flight;
+    reg left, dropped;
 
-    wire queue_in_ready;
-    wire [725:0] queue_out_data;
     wire [31:0] max_f32_ftz_unit_y, max_f32_ftz_unit_copy2_y, max_f32_ftz_unit_copy3_y, max_f32_ftz_unit_copy4_y;
     wire [31:0] max_f32_ftz_unit_copy5_y, max_f32_ftz_unit_copy6_y, max_f32_ftz_unit_copy7_y;
     wire [31:0] max_f32_ftz_unit_copy8_y;
@@ -6628,14 +8191,28 @@ module splat_setup (
     wire [22:0] to_fixed_f32_ftz_u23q8_unit_y, to_fixed_f32_ftz_u23q8_unit_copy2_y;
     wire [21:0] to_fixed_f32_ftz_s22q8_unit_y;
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_y, to_fixed_f32_ftz_u24q24_unit_copy2_y;
+    wire queue_1_in_ready;
+    wire [96:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [127:0] queue_3_out_data;
+    wire queue_4_in_ready, queue_4_out_valid;
+    wire [120:0] queue_4_out_data;
+    wire queue_5_in_ready, queue_5_out_valid;
+    wire [127:0] queue_5_out_data;
+    wire queue_6_in_ready, queue_6_out_valid;
+    wire [123:0] queue_6_out_data;
 
+    assign in_ready = ~credits[7] & phases_1[0];
     wire beyond_near_d7 = delay_7_from_1_out[0];
     wire reaches_near = beyond_near_d7 | lt_f32_ftz_unit_copy3_y;
+    wire in_flight_94_and_phases_38_0 = in_flight[94] & phases_38[0];
     wire end_d95 = delay_95_from_0_out[0];
     wire doubtful_or_visible_unequal_d55 = delay_55_from_0_out[2];
     wire visible = visible_both_d1 & doubtful_or_visible_unequal_d55;
     wire end_or_visible = end_d95 | visible;
-    wire queue_in_valid_both = in_flight[94] & end_or_visible & ~phase;
+    wire kept = in_flight_94_and_phases_38_0 & end_or_visible;
     wire [31:0] center_x_d67 = delay_23_from_0_out[31:0];
     wire [31:0] center_y_d67 = delay_23_from_0_out[95:64];
     wire [31:0] ax_out_d52 = delay_52_from_0_out[32:1];
@@ -6645,7 +8222,6 @@ module splat_setup (
     wire edge_on_d55 = delay_55_from_0_out[0];
     wire [31:0] delta_out = edge_on_d55 ? 32'h7fc00000 : delay_52_from_1_out;
     wire [31:0] mx_d53 = delay_53_from_1_out[95:64];
-    wire [31:0] my_d53 = delay_53_from_1_out[127:96];
     wire sight_negative_out_d55 = delay_55_from_0_out[1];
     wire [30:0] sight_near_out_product_bits_d45 = delay_45_from_1_out[30:0];
     wire [30:0] sight_near_out = delay_32_from_1_out ? 31'h7fffffff : sight_near_out_product_bits_d45;
@@ -6655,26 +8231,24 @@ module splat_setup (
     wire turned_d92 = delay_52_from_0_out[0];
     wire sight_disc_out_d69 = delay_7_from_0_out[33];
     wire [23:0] depth_out_d28 = delay_28_from_0_out[87:64];
-    wire [23:0] depth_low_out_d17 = delay_17_from_0_out[216:193];
     wire [15:0] attribute_0_d95 = delay_95_from_0_out[16:1];
     wire [15:0] attribute_1_d95 = delay_95_from_0_out[32:17];
     wire [15:0] attribute_2_d95 = delay_95_from_0_out[48:33];
     wire [15:0] attribute_3_d95 = delay_95_from_0_out[64:49];
     wire [15:0] attribute_4_d95 = delay_95_from_0_out[80:65];
     wire [15:0] attribute_5_d95 = delay_95_from_0_out[96:81];
-    wire [15:0] attribute_6_d95 = delay_95_from_0_out[112:97];
-    wire [15:0] attribute_7_d95 = delay_95_from_0_out[128:113];
-    wire [15:0] attribute_8_d95 = delay_95_from_0_out[144:129];
-    wire [15:0] attribute_9_d95 = delay_95_from_0_out[160:145];
-    wire [15:0] attribute_10_d95 = delay_95_from_0_out[176:161];
-    wire [15:0] attribute_11_d95 = delay_95_from_0_out[192:177];
-    wire [15:0] attribute_12_d95 = delay_95_from_0_out[208:193];
-    wire [15:0] cardinal_0_d95 = delay_95_from_0_out[224:209];
+    wire [15:0] attribute_6_d95 = delay_95_from_0_copy2_out[15:0];
+    wire [15:0] attribute_7_d95 = delay_95_from_0_copy2_out[31:16];
+    wire [15:0] attribute_8_d95 = delay_95_from_0_copy2_out[47:32];
+    wire [15:0] attribute_9_d95 = delay_95_from_0_copy2_out[63:48];
+    wire [15:0] attribute_10_d95 = delay_95_from_0_copy2_out[79:64];
+    wire [15:0] attribute_11_d95 = delay_95_from_0_copy2_out[95:80];
+    wire [15:0] attribute_12_d95 = delay_95_from_0_copy3_out[15:0];
+    wire [15:0] cardinal_0_d95 = delay_95_from_0_copy3_out[31:16];
     wire [8:0] first_x_d12 = delay_12_from_0_out[41:33];
     wire [8:0] last_x_d12 = delay_12_from_0_out[50:42];
-    wire [8:0] first_y_d11 = delay_11_from_0_out[297:289];
-    wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
-    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire [8:0] first_y_d11 = delay_11_from_0_out[105:97];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_y[30:23]};
     wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
     wire first_x_in_order = 11'd0 < first_x_greater_bits_plus_1;
@@ -6797,8 +8371,8 @@ module splat_setup (
     wire turned_d5 = delay_5_from_0_out[0];
     wire not_turned = ~turned_d5;
     wire beyond_near_and_not_turned_d14 = delay_14_from_1_out[0];
-    wire [31:0] alpha_d11 = delay_11_from_0_out[223:192];
-    wire [31:0] beta_d11 = delay_11_from_0_out[255:224];
+    wire [31:0] alpha_d11 = delay_11_from_0_copy3_out[31:0];
+    wire [31:0] beta_d11 = delay_11_from_0_copy3_out[63:32];
     wire not_turned_d25 = delay_7_from_0_out[0];
     wire not_turned_and_whole_in_order = not_turned_d25 & lt_f32_ftz_unit_copy2_y;
     wire zero_is_lowered = 11'd0 == lowered_d27;
@@ -6820,9 +8394,9 @@ module splat_setup (
     wire first_y_product_bits_below_16 = mul_f32_ftz_unit_copy24_y[30:0] < 31'd16;
     wire [30:0] first_y_product_bits_minus_16 = mul_f32_ftz_unit_copy24_y[30:0] - 31'd16;
     wire [30:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 31'd0 : first_y_product_bits_minus_16;
-    wire [31:0] first_y_chosen_d17 = delay_17_from_0_out[160:129];
+    wire [31:0] first_y_chosen_d17 = delay_17_from_0_copy2_out[63:32];
     wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy20_y : first_y_chosen_d17;
-    wire [31:0] last_y_chosen_d17 = delay_17_from_0_out[192:161];
+    wire [31:0] last_y_chosen_d17 = delay_17_from_0_copy2_out[95:64];
     wire [31:0] last_y_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy21_y : last_y_chosen_d17;
     wire sight_disc_out_d51 = delay_51_from_0_out[0];
     wire [31:0] first_y_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_copy2_y : first_y_chosen_d2;
@@ -6879,9 +8453,9 @@ module splat_setup (
     wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
     wire [30:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 31'd0;
-    wire [10:0] beta_bits_d11 = delay_11_from_0_out[308:298];
+    wire [10:0] beta_bits_d11 = delay_11_from_0_copy2_out[106:96];
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d11;
-    wire [10:0] alpha_bits_d11 = delay_11_from_0_out[319:309];
+    wire [10:0] alpha_bits_d11 = delay_11_from_0_copy3_out[106:96];
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d11;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
@@ -6915,7 +8489,7 @@ module splat_setup (
     wire [10:0] largest_greater_plus_154_d8 = delay_8_from_1_out[42:32];
     wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d8 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d8;
     wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum_copy2;
-    wire [31:0] b_depth_d19 = delay_11_from_0_out[287:256];
+    wire [31:0] b_depth_d19 = delay_11_from_0_copy3_out[95:64];
     wire [10:0] largest_in_order_bits = {3'd0, b_depth_d19[30:23]};
     wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
     wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
@@ -6923,39 +8497,39 @@ module splat_setup (
     wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
     wire [10:0] largest = (largest_greater_d1_copy3 < delay_9_from_0_out) ? delay_9_from_0_out : largest_greater_d1_copy3;
     wire [10:0] a_x_bits_plus_381 = a_x_bits_d10 + 11'd381;
-    wire not_zero_is_a_x_bits_d11 = delay_10_from_1_out[128];
+    wire not_zero_is_a_x_bits_d11 = delay_10_from_1_out[96];
     wire ax_out_in_order = largest_d1 < a_x_bits_plus_381_d1;
     wire ax_out_both = not_zero_is_a_x_bits_d11 & ax_out_in_order;
-    wire a_x_bits_is_255_d11 = delay_10_from_1_out[129];
+    wire a_x_bits_is_255_d11 = delay_10_from_1_out[97];
     wire [10:0] ax_out_difference = a_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] ax_out_chosen = a_x_bits_is_255_d11 ? a_x_bits_d11 : ax_out_difference;
-    wire a_x_sign_d11 = delay_10_from_1_out[153];
+    wire a_x_sign_d11 = delay_10_from_1_out[98];
     wire a_x_bits_is_255_or_ax_out_both = a_x_bits_is_255_d11 | ax_out_both_d1;
-    wire [22:0] a_x_bits_d11_copy2 = delay_10_from_1_out[152:130];
+    wire [22:0] a_x_bits_d11_copy2 = delay_10_from_1_copy2_out[54:32];
     wire [30:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? {ax_out_chosen_d1, a_x_bits_d11_copy2} : 31'd0;
     wire [10:0] a_y_bits_plus_381 = a_y_bits_d10 + 11'd381;
-    wire not_zero_is_a_y_bits_d11 = delay_10_from_1_out[154];
+    wire not_zero_is_a_y_bits_d11 = delay_10_from_1_out[99];
     wire ay_out_in_order = largest_d1 < a_y_bits_plus_381_d1;
     wire ay_out_both = not_zero_is_a_y_bits_d11 & ay_out_in_order;
-    wire a_y_bits_is_255_d11 = delay_10_from_1_out[155];
+    wire a_y_bits_is_255_d11 = delay_10_from_1_out[100];
     wire [10:0] ay_out_difference = a_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] ay_out_chosen = a_y_bits_is_255_d11 ? a_y_bits_d11 : ay_out_difference;
-    wire a_y_sign_d11 = delay_10_from_1_out[179];
+    wire a_y_sign_d11 = delay_10_from_1_out[101];
     wire a_y_bits_is_255_or_ay_out_both = a_y_bits_is_255_d11 | ay_out_both_d1;
-    wire [22:0] a_y_bits_d11_copy2 = delay_10_from_1_out[178:156];
+    wire [22:0] a_y_bits_d11_copy2 = delay_10_from_1_copy2_out[77:55];
     wire [30:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? {ay_out_chosen_d1, a_y_bits_d11_copy2} : 31'd0;
     wire [10:0] b_x_bits_plus_381 = b_x_bits_d10 + 11'd381;
-    wire not_zero_is_b_x_bits_d11 = delay_10_from_1_out[180];
+    wire not_zero_is_b_x_bits_d11 = delay_10_from_1_out[102];
     wire bx_out_in_order = largest_d1 < b_x_bits_plus_381_d1;
     wire bx_out_both = not_zero_is_b_x_bits_d11 & bx_out_in_order;
-    wire b_x_bits_is_255_d11 = delay_10_from_1_out[181];
+    wire b_x_bits_is_255_d11 = delay_10_from_1_out[103];
     wire [10:0] bx_out_difference = b_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] bx_out_chosen = b_x_bits_is_255_d11 ? b_x_bits_d11 : bx_out_difference;
     wire [10:0] b_y_bits_plus_381 = b_y_bits_d10 + 11'd381;
-    wire not_zero_is_b_y_bits_d11 = delay_10_from_1_out[206];
+    wire not_zero_is_b_y_bits_d11 = delay_10_from_1_out[105];
     wire by_out_in_order = largest_d1 < b_y_bits_plus_381_d1;
     wire by_out_both = not_zero_is_b_y_bits_d11 & by_out_in_order;
-    wire b_y_bits_is_255_d11 = delay_10_from_1_out[207];
+    wire b_y_bits_is_255_d11 = delay_10_from_1_out[106];
     wire [10:0] by_out_difference = b_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] by_out_chosen = b_y_bits_is_255_d11 ? b_y_bits_d11 : by_out_difference;
     wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d9;
@@ -6999,7 +8573,7 @@ module splat_setup (
     wire [26:0] first_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_y} >> 7);
     wire [26:0] last_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} >> 7);
     wire [26:0] first_difference_sum = first_sum_sum;
-    wire sight_disc_out_d62 = delay_11_from_0_out[288];
+    wire sight_disc_out_d62 = delay_11_from_0_out[96];
     wire [31:0] last_difference_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy8_y : last_difference_sum_d2;
     wire [26:0] last_difference_sum = last_sum_sum;
     wire whole_and_first_sum_both = delay_16_from_0_out & delay_64_from_0_out;
@@ -7033,7 +8607,6 @@ module splat_setup (
     wire [31:0] max_f32_ftz_unit_copy3_a_bits = {1'd0, in_tangent1_z[30:0]};
     wire [31:0] max_f32_ftz_unit_copy3_b_bits = {1'd0, in_tangent2_z[30:0]};
     wire [31:0] first_x_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_y : first_x_chosen_d2;
-    wire [31:0] max_f32_ftz_unit_copy5_a_choice = phase ? 32'd0 : first_sum_product_d1;
     wire beyond_near = delay_30_from_0_out & le_f32_ftz_unit_y;
     wire [31:0] center_depth_d39 = delay_8_from_1_out[31:0];
     wire [31:0] middle_depth_chosen = delay_37_from_1_out ? center_depth_d39 : 32'd0;
@@ -7050,7 +8623,7 @@ module splat_setup (
     wire [31:0] center_x_d44 = delay_20_from_0_out[31:0];
     wire [31:0] add_f32_ftz_unit_copy15_b_bits = {~mul_f32_ftz_unit_copy24_y[31], mul_f32_ftz_unit_copy24_y[30:0]};
     wire [31:0] minus_filter_radius = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[128:97];
+    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_copy2_out[31:0];
     wire [31:0] add_f32_ftz_unit_copy20_b_bits = {~sqrt_f32_ftz_unit_copy3_y[31], sqrt_f32_ftz_unit_copy3_y[30:0]};
     wire [31:0] t_x_plus_t_y_d28 = delay_28_from_0_out[31:0];
     wire [31:0] t_x_minus_t_y_d28 = delay_28_from_0_out[63:32];
@@ -7060,26 +8633,24 @@ module splat_setup (
     wire [31:0] f_chosen = whole_d1 ? e_d2 : delay_26_from_1_out;
     wire [31:0] b_depth_d8 = delay_8_from_0_out[31:0];
     wire [31:0] alpha_joined_d11 = delay_11_from_0_out[95:64];
-    wire [31:0] beta_joined_d11 = delay_11_from_0_out[191:160];
+    wire [31:0] beta_joined_d11 = delay_11_from_0_copy2_out[95:64];
     wire [31:0] b_depth_d31 = delay_12_from_0_out[32:1];
     wire [31:0] abs_b_depth_d31 = delay_31_from_0_out[31:0];
     wire [31:0] spread_half_d9 = delay_5_from_0_out[32:1];
     wire [31:0] half_depth = beyond_near ? spread_half_d9 : delay_41_from_1_out;
     wire [31:0] v_x_chosen_d15 = delay_15_from_0_out[31:0];
     wire [31:0] a_x_joined_d11 = delay_11_from_0_out[31:0];
-    wire [31:0] b_x_joined_d11 = delay_11_from_0_out[127:96];
-    wire [31:0] mul_f32_ftz_unit_copy11_a_choice = phase ? beta_d11 : recip_f32_ftz_unit_y;
+    wire [31:0] b_x_joined_d11 = delay_11_from_0_copy2_out[31:0];
     wire [31:0] t_x_sum_d10 = delay_10_from_1_out[31:0];
     wire [31:0] a_x_squared_plus_b_x_squared_d10 = delay_10_from_1_out[63:32];
     wire [31:0] first_x_chosen_d43 = delay_43_from_1_out[31:0];
     wire [31:0] v_y_chosen_d15 = delay_15_from_0_out[63:32];
-    wire [31:0] mul_f32_ftz_unit_copy16_b_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
     wire [31:0] a_y_joined_d11 = delay_11_from_0_out[63:32];
-    wire [31:0] b_y_joined_d11 = delay_11_from_0_out[159:128];
+    wire [31:0] b_y_joined_d11 = delay_11_from_0_copy2_out[63:32];
     wire [31:0] t_y_sum_d10 = delay_10_from_1_out[95:64];
-    wire [31:0] a_y_squared_plus_b_y_squared_d10 = delay_10_from_1_out[127:96];
+    wire [31:0] a_y_squared_plus_b_y_squared_d10 = delay_10_from_1_copy2_out[31:0];
     wire [31:0] first_y_chosen_d43 = delay_43_from_1_out[63:32];
-    wire [31:0] first_sum_sum_d10 = delay_10_from_1_out[263:232];
+    wire [31:0] first_sum_sum_d10 = delay_10_from_1_copy3_out[54:23];
     wire [31:0] sight_near_out_joined = {not_depth_a_sign, depth_a[30:0]};
     wire [31:0] q_d7 = delay_7_from_0_out[32:1];
     wire [31:0] last_x_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_y : last_x_chosen_d2;
@@ -7095,18 +8666,18 @@ module splat_setup (
     wire [10:0] largest_sum = delay_25_from_0_out + a_exponent_plus_b_exponent;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
     wire [8:0] first_y = first_y_shifted_d3[8:0];
-    wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
-    wire [30:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d4_copy6} : 31'd0;
-    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
-    wire [30:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d4_copy5} : 31'd0;
-    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
-    wire [30:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d4_copy4} : 31'd0;
     wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
     wire [30:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d4_copy3} : 31'd0;
     wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
     wire [30:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d4_copy2} : 31'd0;
     wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
     wire [30:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d4} : 31'd0;
+    wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
+    wire [30:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d4_copy6} : 31'd0;
+    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
+    wire [30:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d4_copy5} : 31'd0;
+    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
+    wire [30:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d4_copy4} : 31'd0;
     wire zero_is_alpha_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_y[30:23]};
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire zero_is_beta_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_copy2_y[30:23]};
@@ -7118,14 +8689,14 @@ module splat_setup (
     wire [31:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d3;
     wire [31:0] v_x_chosen = swapped_d2 ? tangent2_x_d3 : tangent1_x_d3;
     wire [31:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d3;
-    wire last_y_chosen_d51 = delay_51_from_1_out[1];
-    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'h45fff800;
-    wire first_y_chosen_d51 = delay_51_from_1_out[0];
-    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'd0;
     wire last_x_chosen_d51 = delay_51_from_0_out[2];
     wire [31:0] last_x_chosen_copy2 = last_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'h45fff800;
     wire first_x_chosen_d51 = delay_51_from_0_out[1];
     wire [31:0] first_x_chosen_copy8 = first_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'd0;
+    wire last_y_chosen_d51 = delay_51_from_1_out[1];
+    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'h45fff800;
+    wire first_y_chosen_d51 = delay_51_from_1_out[0];
+    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'd0;
     wire all_before_far = delay_30_from_0_out & le_f32_ftz_unit_copy2_y;
     wire visible_unequal = scale_x[31] ^ scale_y[31];
     wire swapped_and_turned = swapped_d2 & turned;
@@ -7163,544 +8734,607 @@ module splat_setup (
     wire [31:0] first_x_chosen_copy5 = first_x_in_order_d1_copy3 ? center_x_minus_first_x_joined_d2 : center_x_plus_first_x_joined_d2;
     wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy5_y;
     wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy5_y : lt_f32_ftz_unit_copy4_y;
-    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
-    wire [30:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? my_joined_d1 : 31'd0;
-    wire [31:0] my = {my_bits_d2, my_chosen_copy2};
     wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
     wire [30:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? mx_joined_d1_copy3 : 31'd0;
     wire [31:0] mx = {mx_bits_d2, mx_chosen_copy6};
-    wire b_y_sign_d11 = delay_10_from_1_out[231];
+    wire b_y_sign_d11 = delay_10_from_1_out[107];
     wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d11 | by_out_both_d1;
-    wire [22:0] b_y_bits_d11_copy2 = delay_10_from_1_out[230:208];
+    wire [22:0] b_y_bits_d11_copy2 = delay_10_from_1_copy3_out[22:0];
     wire [30:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? {by_out_chosen_d1, b_y_bits_d11_copy2} : 31'd0;
-    wire b_x_sign_d11 = delay_10_from_1_out[205];
+    wire b_x_sign_d11 = delay_10_from_1_out[104];
     wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d11 | bx_out_both_d1;
-    wire [22:0] b_x_bits_d11_copy2 = delay_10_from_1_out[204:182];
+    wire [22:0] b_x_bits_d11_copy2 = delay_10_from_1_copy2_out[100:78];
     wire [30:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d11_copy2} : 31'd0;
+    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
+    wire [30:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? my_joined_d1 : 31'd0;
+    wire [31:0] my = {my_bits_d2, my_chosen_copy2};
     wire [26:0] first_sum_sum_copy2_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
     wire [26:0] first_sum_sum_copy2_bits_2 = {{5{to_fixed_f32_ftz_s22q8_unit_y[21]}}, to_fixed_f32_ftz_s22q8_unit_y};
     wire [26:0] first_sum_sum_copy2 = first_sum_sum_copy2_bits + first_sum_sum_copy2_bits_2;
     wire [26:0] first_difference_difference = first_sum_sum_copy2_bits - first_sum_sum_copy2_bits_2;
 
-    assign in_ready = load_0;
+    assign {out_end, out_center_x, out_center_y, out_ax} = queue_1_out_data;
+    assign {out_bx, out_ay, out_by, out_delta} = queue_2_out_data;
+    assign {out_mx, out_my, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned} = queue_3_out_data;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
-        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
-        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
-        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference
-    } = queue_out_data;
+        out_sight_disc, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_attribute_2
+    } = queue_4_out_data;
+    assign {
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10
+    } = queue_5_out_data;
+    assign {
+        out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top, out_bottom,
+        out_first_sum, out_last_sum, out_first_difference, out_last_difference
+    } = queue_6_out_data;
 
-    memory_1w1r #(.WIDTH(225), .DEPTH(94)) delay_95_from_0 (
-        .clk(clk), .write(load_0), .write_address(delay_95_from_0_pointer),
+    memory_1w1r #(.WIDTH(97), .DEPTH(94)) delay_95_from_0 (
+        .clk(clk), .write(phases_14[0]), .write_address(delay_95_from_0_pointer),
         .write_data({
-            in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
-            in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
-            in_attribute_1, in_attribute_0, in_end
+            in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0,
+            in_end
         }),
-        .read(load_0), .read_address(delay_95_from_0_pointer), .read_data(delay_95_from_0_out)
+        .read(phases_14[0]), .read_address(delay_95_from_0_pointer), .read_data(delay_95_from_0_out)
+    );
+
+    memory_1w1r #(.WIDTH(96), .DEPTH(94)) delay_95_from_0_copy2 (
+        .clk(clk), .write(phases_15[0]), .write_address(delay_95_from_0_copy2_pointer),
+        .write_data({in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6}),
+        .read(phases_15[0]), .read_address(delay_95_from_0_copy2_pointer),
+        .read_data(delay_95_from_0_copy2_out)
+    );
+
+    memory_1w1r #(.WIDTH(32), .DEPTH(94)) delay_95_from_0_copy3 (
+        .clk(clk), .write(phases_12[0]), .write_address(delay_95_from_0_copy3_pointer),
+        .write_data({in_cardinal_0, in_attribute_12}),
+        .read(phases_12[0]), .read_address(delay_95_from_0_copy3_pointer),
+        .read_data(delay_95_from_0_copy3_out)
     );
 
     memory_1w1r #(.WIDTH(1), .DEPTH(85)) delay_86_from_1 (
-        .clk(clk), .write(load_1), .write_address(delay_86_from_1_pointer), .write_data(reaches_near),
-        .read(load_1), .read_address(delay_86_from_1_pointer), .read_data(delay_86_from_1_out)
-    );
-
-    stream_skid_w726 queue (
-        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
-        .in_data({
-            end_d95, center_x_d67, center_y_d67, ax_out_d52, bx_out_d53, ay_out_d52, by_out_d53, delta_out,
-            mx_d53, my_d53, sight_negative_out_d55, sight_near_out, sight_far_out, turned_d92, sight_disc_out_d69,
-            depth_out_d28, depth_low_out_d17, delay_17_from_1_out, attribute_0_d95, attribute_1_d95,
-            attribute_2_d95, attribute_3_d95, attribute_4_d95, attribute_5_d95, attribute_6_d95, attribute_7_d95,
-            attribute_8_d95, attribute_9_d95, attribute_10_d95, attribute_11_d95, attribute_12_d95,
-            cardinal_0_d95, first_x_d12, last_x_d12, first_y_d11, delay_12_from_1_out, first_sum_out_d2,
-            last_sum_out_d2, first_difference_out_d1, last_difference_out_d1
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .clk(clk), .write(phases_2[1]), .write_address(delay_86_from_1_pointer), .write_data(reaches_near),
+        .read(phases_2[1]), .read_address(delay_86_from_1_pointer), .read_data(delay_86_from_1_out)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_a), .b(max_f32_ftz_unit_b),
-        .y(max_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_a), .b(max_f32_ftz_unit_b), .y(max_f32_ftz_unit_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy2_a), .b(max_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy2_a), .b(max_f32_ftz_unit_copy2_b),
         .y(max_f32_ftz_unit_copy2_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy3_a), .b(max_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy3_a), .b(max_f32_ftz_unit_copy3_b),
         .y(max_f32_ftz_unit_copy3_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy4_a), .b(max_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy4_a), .b(max_f32_ftz_unit_copy4_b),
         .y(max_f32_ftz_unit_copy4_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy5_a), .b(max_f32_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy5_a), .b(max_f32_ftz_unit_copy5_b),
         .y(max_f32_ftz_unit_copy5_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy6_a), .b(max_f32_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy6_a), .b(max_f32_ftz_unit_copy6_b),
         .y(max_f32_ftz_unit_copy6_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy7_a), .b(max_f32_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy7_a), .b(max_f32_ftz_unit_copy7_b),
         .y(max_f32_ftz_unit_copy7_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy8_a), .b(max_f32_ftz_unit_copy8_b),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_copy8_a), .b(max_f32_ftz_unit_copy8_b),
         .y(max_f32_ftz_unit_copy8_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b),
-        .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b), .y(lt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy2_a), .b(lt_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy2_a), .b(lt_f32_ftz_unit_copy2_b),
         .y(lt_f32_ftz_unit_copy2_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy3_a), .b(lt_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy3_a), .b(lt_f32_ftz_unit_copy3_b),
         .y(lt_f32_ftz_unit_copy3_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy4_a), .b(lt_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy4_a), .b(lt_f32_ftz_unit_copy4_b),
         .y(lt_f32_ftz_unit_copy4_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy5_a), .b(lt_f32_ftz_unit_copy5_b),
-        .y(lt_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy5_a), .b(32'd0), .y(lt_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b),
-        .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_a), .b(add_f32_ftz_unit_copy9_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy9_a), .b(add_f32_ftz_unit_copy9_b),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_a), .b(add_f32_ftz_unit_copy10_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy10_a), .b(add_f32_ftz_unit_copy10_b),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_a), .b(add_f32_ftz_unit_copy11_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy11_a), .b(add_f32_ftz_unit_copy11_b),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_a), .b(add_f32_ftz_unit_copy12_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy12_a), .b(add_f32_ftz_unit_copy12_b),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_a), .b(add_f32_ftz_unit_copy13_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy13_a), .b(add_f32_ftz_unit_copy13_b),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_a), .b(add_f32_ftz_unit_copy14_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy14_a), .b(add_f32_ftz_unit_copy14_b),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy15_a), .b(add_f32_ftz_unit_copy15_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy15_a), .b(add_f32_ftz_unit_copy15_b),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_a), .b(add_f32_ftz_unit_copy16_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy16_a), .b(add_f32_ftz_unit_copy16_b),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_a), .b(add_f32_ftz_unit_copy17_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy17_a), .b(add_f32_ftz_unit_copy17_b),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_a), .b(add_f32_ftz_unit_copy18_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy18_a), .b(add_f32_ftz_unit_copy18_b),
         .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_a), .b(add_f32_ftz_unit_copy19_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy19_a), .b(add_f32_ftz_unit_copy19_b),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_a), .b(add_f32_ftz_unit_copy20_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy20_a), .b(add_f32_ftz_unit_copy20_b),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy21_a), .b(add_f32_ftz_unit_copy21_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy21_a), .b(add_f32_ftz_unit_copy21_b),
         .y(add_f32_ftz_unit_copy21_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy22_a), .b(add_f32_ftz_unit_copy22_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy22_a), .b(add_f32_ftz_unit_copy22_b),
         .y(add_f32_ftz_unit_copy22_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy23_a), .b(add_f32_ftz_unit_copy23_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy23_a), .b(add_f32_ftz_unit_copy23_b),
         .y(add_f32_ftz_unit_copy23_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy24_a), .b(add_f32_ftz_unit_copy24_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy24_a), .b(add_f32_ftz_unit_copy24_b),
         .y(add_f32_ftz_unit_copy24_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy25_a), .b(add_f32_ftz_unit_copy25_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy25_a), .b(add_f32_ftz_unit_copy25_b),
         .y(add_f32_ftz_unit_copy25_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy26_a), .b(add_f32_ftz_unit_copy26_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy26_a), .b(add_f32_ftz_unit_copy26_b),
         .y(add_f32_ftz_unit_copy26_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy27_a), .b(add_f32_ftz_unit_copy27_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy27_a), .b(add_f32_ftz_unit_copy27_b),
         .y(add_f32_ftz_unit_copy27_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy28 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy28_a), .b(add_f32_ftz_unit_copy28_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy28_a), .b(add_f32_ftz_unit_copy28_b),
         .y(add_f32_ftz_unit_copy28_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_a), .y(recip_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_a), .y(recip_f32_ftz_unit_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_copy2_a), .y(recip_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_copy2_a), .y(recip_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_a), .b(mul_f32_ftz_unit_b),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_a), .b(mul_f32_ftz_unit_b), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_a), .b(mul_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy2_a), .b(mul_f32_ftz_unit_copy2_b),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_a), .b(mul_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy4_a), .b(mul_f32_ftz_unit_copy4_b),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy5_a), .b(mul_f32_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy5_a), .b(mul_f32_ftz_unit_copy5_b),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy6_a), .b(mul_f32_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy6_a), .b(mul_f32_ftz_unit_copy6_b),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_a), .b(mul_f32_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_a), .b(mul_f32_ftz_unit_copy7_b),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy8_a), .b(mul_f32_ftz_unit_copy8_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy8_a), .b(mul_f32_ftz_unit_copy8_b),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy9_a), .b(mul_f32_ftz_unit_copy9_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy9_a), .b(mul_f32_ftz_unit_copy9_b),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_a), .b(mul_f32_ftz_unit_copy10_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_a), .b(mul_f32_ftz_unit_copy10_b),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy11_a), .b(mul_f32_ftz_unit_copy11_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy11_a), .b(mul_f32_ftz_unit_copy11_b),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy12_a), .b(mul_f32_ftz_unit_copy12_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy12_a), .b(mul_f32_ftz_unit_copy12_b),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_a), .b(mul_f32_ftz_unit_copy13_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy13_a), .b(mul_f32_ftz_unit_copy13_b),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy14_a), .b(mul_f32_ftz_unit_copy14_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy14_a), .b(mul_f32_ftz_unit_copy14_b),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy15_a), .b(mul_f32_ftz_unit_copy15_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy15_a), .b(mul_f32_ftz_unit_copy15_b),
         .y(mul_f32_ftz_unit_copy15_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy16_a), .b(mul_f32_ftz_unit_copy16_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy16_a), .b(mul_f32_ftz_unit_copy16_b),
         .y(mul_f32_ftz_unit_copy16_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy17_a), .b(mul_f32_ftz_unit_copy17_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy17_a), .b(mul_f32_ftz_unit_copy17_b),
         .y(mul_f32_ftz_unit_copy17_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy18_a), .b(mul_f32_ftz_unit_copy18_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy18_a), .b(mul_f32_ftz_unit_copy18_b),
         .y(mul_f32_ftz_unit_copy18_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy19_a), .b(mul_f32_ftz_unit_copy19_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy19_a), .b(mul_f32_ftz_unit_copy19_b),
         .y(mul_f32_ftz_unit_copy19_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy20_a), .b(mul_f32_ftz_unit_copy20_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy20_a), .b(mul_f32_ftz_unit_copy20_b),
         .y(mul_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy21_a), .b(mul_f32_ftz_unit_copy21_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy21_a), .b(mul_f32_ftz_unit_copy21_b),
         .y(mul_f32_ftz_unit_copy21_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy22_a), .b(mul_f32_ftz_unit_copy22_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy22_a), .b(mul_f32_ftz_unit_copy22_b),
         .y(mul_f32_ftz_unit_copy22_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy23_a), .b(mul_f32_ftz_unit_copy23_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy23_a), .b(mul_f32_ftz_unit_copy23_b),
         .y(mul_f32_ftz_unit_copy23_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy24_a), .b(mul_f32_ftz_unit_copy24_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy24_a), .b(mul_f32_ftz_unit_copy24_b),
         .y(mul_f32_ftz_unit_copy24_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy25_a), .b(mul_f32_ftz_unit_copy25_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy25_a), .b(mul_f32_ftz_unit_copy25_b),
         .y(mul_f32_ftz_unit_copy25_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy26_a), .b(mul_f32_ftz_unit_copy26_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy26_a), .b(mul_f32_ftz_unit_copy26_b),
         .y(mul_f32_ftz_unit_copy26_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy27_a), .b(mul_f32_ftz_unit_copy27_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy27_a), .b(mul_f32_ftz_unit_copy27_b),
         .y(mul_f32_ftz_unit_copy27_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy28 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy28_a), .b(mul_f32_ftz_unit_copy28_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy28_a), .b(mul_f32_ftz_unit_copy28_b),
         .y(mul_f32_ftz_unit_copy28_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy29 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy29_a), .b(mul_f32_ftz_unit_copy29_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy29_a), .b(mul_f32_ftz_unit_copy29_b),
         .y(mul_f32_ftz_unit_copy29_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit_copy30 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy30_a), .b(mul_f32_ftz_unit_copy30_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy30_a), .b(mul_f32_ftz_unit_copy30_b),
         .y(mul_f32_ftz_unit_copy30_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_a), .y(sqrt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f32_ftz_unit_a), .y(sqrt_f32_ftz_unit_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy2_a), .y(sqrt_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f32_ftz_unit_copy2_a), .y(sqrt_f32_ftz_unit_copy2_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy3_a), .y(sqrt_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f32_ftz_unit_copy3_a), .y(sqrt_f32_ftz_unit_copy3_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b),
-        .y(le_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b), .y(le_f32_ftz_unit_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_copy2_a), .b(le_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(le_f32_ftz_unit_copy2_a), .b(le_f32_ftz_unit_copy2_b),
         .y(le_f32_ftz_unit_copy2_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_a), .b(min_f32_ftz_unit_b),
-        .y(min_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_a), .b(min_f32_ftz_unit_b), .y(min_f32_ftz_unit_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy2_a), .b(min_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_copy2_a), .b(min_f32_ftz_unit_copy2_b),
         .y(min_f32_ftz_unit_copy2_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy3_a), .b(min_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_copy3_a), .b(min_f32_ftz_unit_copy3_b),
         .y(min_f32_ftz_unit_copy3_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy4_a), .b(min_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(min_f32_ftz_unit_copy4_a), .b(min_f32_ftz_unit_copy4_b),
         .y(min_f32_ftz_unit_copy4_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy5_a), .b(min_f32_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(32'h47000000), .b(min_f32_ftz_unit_copy5_b),
         .y(min_f32_ftz_unit_copy5_y)
     );
 
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_a),
-        .y(to_fixed_f32_ftz_u21q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u21q8_unit_a), .y(to_fixed_f32_ftz_u21q8_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
     );
 
     float_to_fixed_s3_f32ftz_w23_f8_unsigned to_fixed_f32_ftz_u23q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u23q8_unit_a),
-        .y(to_fixed_f32_ftz_u23q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u23q8_unit_a), .y(to_fixed_f32_ftz_u23q8_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w23_f8_unsigned to_fixed_f32_ftz_u23q8_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u23q8_unit_copy2_a),
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u23q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u23q8_unit_copy2_y)
     );
 
     float_to_fixed_s3_f32ftz_w22_f8_signed to_fixed_f32_ftz_s22q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_s22q8_unit_a),
-        .y(to_fixed_f32_ftz_s22q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_s22q8_unit_a), .y(to_fixed_f32_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u24q24_unit_a),
-        .y(to_fixed_f32_ftz_u24q24_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u24q24_unit_a), .y(to_fixed_f32_ftz_u24q24_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u24q24_unit_copy2_a),
+        .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u24q24_unit_copy2_a),
         .y(to_fixed_f32_ftz_u24q24_unit_copy2_y)
+    );
+
+    stream_fifo_d97_w97 queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d95, center_x_d67, center_y_d67, ax_out_d52}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d97_w128 queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({bx_out_d53, ay_out_d52, by_out_d53, delta_out}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d97_w128 queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            mx_d53, delay_53_from_1_copy2_out, sight_negative_out_d55, sight_near_out, sight_far_out, turned_d92
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
+    );
+
+    stream_fifo_d97_w121 queue_4 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
+        .in_data({
+            sight_disc_out_d69, depth_out_d28, delay_17_from_0_copy3_out, delay_17_from_1_out, attribute_0_d95,
+            attribute_1_d95, attribute_2_d95
+        }),
+        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
+    );
+
+    stream_fifo_d97_w128 queue_5 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
+        .in_data({
+            attribute_3_d95, attribute_4_d95, attribute_5_d95, attribute_6_d95, attribute_7_d95, attribute_8_d95,
+            attribute_9_d95, attribute_10_d95
+        }),
+        .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
+    );
+
+    stream_fifo_d97_w124 queue_6 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_6_in_ready),
+        .in_data({
+            attribute_11_d95, attribute_12_d95, cardinal_0_d95, first_x_d12, last_x_d12, first_y_d11,
+            delay_12_from_1_out, first_sum_out_d2, last_sum_out_d2, first_difference_out_d1,
+            last_difference_out_d1
+        }),
+        .out_valid(queue_6_out_valid), .out_ready(out_ready), .out_data(queue_6_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 1'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
+            credits <= 8'd96;
+            phases_1 <= 2'd1;
             delay_5_from_0_pointer <= 2'd0;
             delay_7_from_0_pointer <= 3'd0;
+            phases_2 <= 2'd1;
             delay_8_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
+            phases_3 <= 2'd1;
             delay_11_from_0_pointer <= 4'd0;
+            phases_4 <= 2'd1;
+            delay_11_from_0_copy2_pointer <= 4'd0;
+            phases_5 <= 2'd1;
+            delay_11_from_0_copy3_pointer <= 4'd0;
             delay_12_from_0_pointer <= 4'd0;
             delay_13_from_0_pointer <= 4'd0;
+            phases_6 <= 2'd1;
             delay_15_from_0_pointer <= 4'd0;
             delay_16_from_0_pointer <= 4'd0;
+            phases_7 <= 2'd1;
             delay_17_from_0_pointer <= 4'd0;
+            phases_8 <= 2'd1;
+            delay_17_from_0_copy2_pointer <= 4'd0;
+            delay_17_from_0_copy3_pointer <= 4'd0;
+            phases_9 <= 2'd1;
             delay_20_from_0_pointer <= 5'd0;
+            phases_10 <= 2'd1;
             delay_23_from_0_pointer <= 5'd0;
             delay_24_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
+            phases_11 <= 2'd1;
             delay_28_from_0_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
+            phases_12 <= 2'd1;
             delay_31_from_0_pointer <= 5'd0;
             delay_35_from_0_pointer <= 6'd0;
             delay_37_from_0_pointer <= 6'd0;
             delay_40_from_0_pointer <= 6'd0;
             delay_51_from_0_pointer <= 6'd0;
+            phases_13 <= 2'd1;
             delay_52_from_0_pointer <= 6'd0;
             delay_55_from_0_pointer <= 6'd0;
             delay_57_from_0_pointer <= 6'd0;
             delay_64_from_0_pointer <= 6'd0;
+            phases_14 <= 2'd1;
             delay_95_from_0_pointer <= 7'd0;
+            phases_15 <= 2'd1;
+            delay_95_from_0_copy2_pointer <= 7'd0;
+            delay_95_from_0_copy3_pointer <= 7'd0;
             delay_7_from_1_pointer <= 3'd0;
             delay_8_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_10_from_1_pointer <= 4'd0;
+            delay_10_from_1_copy2_pointer <= 4'd0;
+            delay_10_from_1_copy3_pointer <= 4'd0;
             delay_11_from_1_pointer <= 4'd0;
             delay_12_from_1_pointer <= 4'd0;
             delay_14_from_1_pointer <= 4'd0;
@@ -7715,343 +9349,510 @@ module splat_setup (
             delay_51_from_1_pointer <= 6'd0;
             delay_52_from_1_pointer <= 6'd0;
             delay_53_from_1_pointer <= 6'd0;
+            delay_53_from_1_copy2_pointer <= 6'd0;
             delay_61_from_1_pointer <= 6'd0;
             delay_62_from_1_pointer <= 6'd0;
             delay_86_from_1_pointer <= 7'd0;
+            phases_16 <= 2'd1;
+            phases_17 <= 2'd1;
+            phases_18 <= 2'd1;
+            phases_19 <= 2'd1;
+            phases_20 <= 2'd1;
+            phases_21 <= 2'd1;
+            phases_22 <= 2'd1;
+            phases_23 <= 2'd1;
+            phases_24 <= 2'd1;
+            phases_25 <= 2'd1;
+            phases_26 <= 2'd1;
+            phases_27 <= 2'd1;
+            phases_28 <= 2'd1;
+            phases_29 <= 2'd1;
+            phases_30 <= 2'd1;
+            phases_31 <= 2'd1;
+            phases_32 <= 2'd1;
+            phases_33 <= 2'd1;
+            phases_34 <= 2'd1;
+            phases_35 <= 2'd1;
+            phases_36 <= 2'd1;
+            phases_37 <= 2'd1;
+            phases_38 <= 2'd1;
+            phases_39 <= 2'd1;
+            phases_40 <= 2'd1;
+            phases_41 <= 2'd1;
+            phases_42 <= 2'd1;
+            phases_43 <= 2'd1;
+            phases_44 <= 2'd1;
+            max_f32_ftz_unit_phase <= 1'd0;
+            max_f32_ftz_unit_copy2_phase <= 1'd0;
+            max_f32_ftz_unit_copy3_phase <= 1'd0;
+            max_f32_ftz_unit_copy4_phase <= 1'd0;
+            max_f32_ftz_unit_copy5_phase <= 1'd0;
+            max_f32_ftz_unit_copy6_phase <= 1'd0;
+            max_f32_ftz_unit_copy7_phase <= 1'd0;
+            max_f32_ftz_unit_copy8_phase <= 1'd0;
+            lt_f32_ftz_unit_phase <= 1'd0;
+            lt_f32_ftz_unit_copy2_phase <= 1'd0;
+            lt_f32_ftz_unit_copy3_phase <= 1'd0;
+            lt_f32_ftz_unit_copy4_phase <= 1'd0;
+            add_f32_ftz_unit_phase <= 1'd0;
+            add_f32_ftz_unit_copy2_phase <= 1'd0;
+            add_f32_ftz_unit_copy3_phase <= 1'd0;
+            add_f32_ftz_unit_copy4_phase <= 1'd0;
+            add_f32_ftz_unit_copy5_phase <= 1'd0;
+            add_f32_ftz_unit_copy6_phase <= 1'd0;
+            add_f32_ftz_unit_copy7_phase <= 1'd0;
+            add_f32_ftz_unit_copy8_phase <= 1'd0;
+            add_f32_ftz_unit_copy9_phase <= 1'd0;
+            add_f32_ftz_unit_copy10_phase <= 1'd0;
+            add_f32_ftz_unit_copy11_phase <= 1'd0;
+            add_f32_ftz_unit_copy12_phase <= 1'd0;
+            add_f32_ftz_unit_copy13_phase <= 1'd0;
+            add_f32_ftz_unit_copy14_phase <= 1'd0;
+            add_f32_ftz_unit_copy15_phase <= 1'd0;
+            add_f32_ftz_unit_copy16_phase <= 1'd0;
+            add_f32_ftz_unit_copy17_phase <= 1'd0;
+            add_f32_ftz_unit_copy18_phase <= 1'd0;
+            add_f32_ftz_unit_copy19_phase <= 1'd0;
+            add_f32_ftz_unit_copy20_phase <= 1'd0;
+            add_f32_ftz_unit_copy21_phase <= 1'd0;
+            add_f32_ftz_unit_copy22_phase <= 1'd0;
+            add_f32_ftz_unit_copy23_phase <= 1'd0;
+            add_f32_ftz_unit_copy24_phase <= 1'd0;
+            add_f32_ftz_unit_copy25_phase <= 1'd0;
+            add_f32_ftz_unit_copy26_phase <= 1'd0;
+            add_f32_ftz_unit_copy27_phase <= 1'd0;
+            recip_f32_ftz_unit_phase <= 1'd0;
+            mul_f32_ftz_unit_phase <= 1'd0;
+            mul_f32_ftz_unit_copy2_phase <= 1'd0;
+            mul_f32_ftz_unit_copy3_phase <= 1'd0;
+            mul_f32_ftz_unit_copy4_phase <= 1'd0;
+            mul_f32_ftz_unit_copy5_phase <= 1'd0;
+            mul_f32_ftz_unit_copy6_phase <= 1'd0;
+            mul_f32_ftz_unit_copy7_phase <= 1'd0;
+            mul_f32_ftz_unit_copy8_phase <= 1'd0;
+            mul_f32_ftz_unit_copy9_phase <= 1'd0;
+            mul_f32_ftz_unit_copy10_phase <= 1'd0;
+            mul_f32_ftz_unit_copy11_phase <= 1'd0;
+            mul_f32_ftz_unit_copy12_phase <= 1'd0;
+            mul_f32_ftz_unit_copy13_phase <= 1'd0;
+            mul_f32_ftz_unit_copy14_phase <= 1'd0;
+            mul_f32_ftz_unit_copy15_phase <= 1'd0;
+            mul_f32_ftz_unit_copy16_phase <= 1'd0;
+            mul_f32_ftz_unit_copy17_phase <= 1'd0;
+            mul_f32_ftz_unit_copy18_phase <= 1'd0;
+            mul_f32_ftz_unit_copy19_phase <= 1'd0;
+            mul_f32_ftz_unit_copy20_phase <= 1'd0;
+            mul_f32_ftz_unit_copy21_phase <= 1'd0;
+            mul_f32_ftz_unit_copy22_phase <= 1'd0;
+            mul_f32_ftz_unit_copy23_phase <= 1'd0;
+            mul_f32_ftz_unit_copy24_phase <= 1'd0;
+            mul_f32_ftz_unit_copy25_phase <= 1'd0;
+            mul_f32_ftz_unit_copy26_phase <= 1'd0;
+            mul_f32_ftz_unit_copy27_phase <= 1'd0;
+            mul_f32_ftz_unit_copy28_phase <= 1'd0;
+            mul_f32_ftz_unit_copy29_phase <= 1'd0;
+            mul_f32_ftz_unit_copy30_phase <= 1'd0;
+            sqrt_f32_ftz_unit_phase <= 1'd0;
+            sqrt_f32_ftz_unit_copy2_phase <= 1'd0;
+            le_f32_ftz_unit_phase <= 1'd0;
+            le_f32_ftz_unit_copy2_phase <= 1'd0;
+            min_f32_ftz_unit_phase <= 1'd0;
+            min_f32_ftz_unit_copy2_phase <= 1'd0;
+            min_f32_ftz_unit_copy3_phase <= 1'd0;
+            min_f32_ftz_unit_copy4_phase <= 1'd0;
+            to_fixed_f32_ftz_u21q8_unit_copy2_phase <= 1'd0;
+            to_fixed_f32_ftz_u23q8_unit_phase <= 1'd0;
+            to_fixed_f32_ftz_s22q8_unit_phase <= 1'd0;
+            to_fixed_f32_ftz_u24q24_unit_phase <= 1'd0;
+            phases_45 <= 2'd1;
             in_flight <= 95'd0;
+            left <= 1'd0;
+            dropped <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & ~phase_next;
-            load_1 <= advance_next & phase_next;
-            if (load_0) begin
+            credits <= (credits - {7'd0, in_valid_and_in_ready}) + {7'd0, left} + {7'd0, dropped};
+            phases_1 <= {phases_1[0], phases_1[1]};
+            phases_2 <= {phases_2[0], phases_2[1]};
+            phases_3 <= {phases_3[0], phases_3[1]};
+            phases_4 <= {phases_4[0], phases_4[1]};
+            phases_5 <= {phases_5[0], phases_5[1]};
+            phases_6 <= {phases_6[0], phases_6[1]};
+            phases_7 <= {phases_7[0], phases_7[1]};
+            phases_8 <= {phases_8[0], phases_8[1]};
+            phases_9 <= {phases_9[0], phases_9[1]};
+            phases_10 <= {phases_10[0], phases_10[1]};
+            phases_11 <= {phases_11[0], phases_11[1]};
+            phases_12 <= {phases_12[0], phases_12[1]};
+            phases_13 <= {phases_13[0], phases_13[1]};
+            phases_14 <= {phases_14[0], phases_14[1]};
+            phases_15 <= {phases_15[0], phases_15[1]};
+            phases_16 <= {phases_16[0], phases_16[1]};
+            phases_17 <= {phases_17[0], phases_17[1]};
+            phases_18 <= {phases_18[0], phases_18[1]};
+            phases_19 <= {phases_19[0], phases_19[1]};
+            phases_20 <= {phases_20[0], phases_20[1]};
+            phases_21 <= {phases_21[0], phases_21[1]};
+            phases_22 <= {phases_22[0], phases_22[1]};
+            phases_23 <= {phases_23[0], phases_23[1]};
+            phases_24 <= {phases_24[0], phases_24[1]};
+            phases_25 <= {phases_25[0], phases_25[1]};
+            phases_26 <= {phases_26[0], phases_26[1]};
+            phases_27 <= {phases_27[0], phases_27[1]};
+            phases_28 <= {phases_28[0], phases_28[1]};
+            phases_29 <= {phases_29[0], phases_29[1]};
+            phases_30 <= {phases_30[0], phases_30[1]};
+            phases_31 <= {phases_31[0], phases_31[1]};
+            phases_32 <= {phases_32[0], phases_32[1]};
+            phases_33 <= {phases_33[0], phases_33[1]};
+            phases_34 <= {phases_34[0], phases_34[1]};
+            phases_35 <= {phases_35[0], phases_35[1]};
+            phases_36 <= {phases_36[0], phases_36[1]};
+            phases_37 <= {phases_37[0], phases_37[1]};
+            phases_38 <= {phases_38[0], phases_38[1]};
+            phases_39 <= {phases_39[0], phases_39[1]};
+            phases_40 <= {phases_40[0], phases_40[1]};
+            phases_41 <= {phases_41[0], phases_41[1]};
+            phases_42 <= {phases_42[0], phases_42[1]};
+            phases_43 <= {phases_43[0], phases_43[1]};
+            phases_44 <= {phases_44[0], phases_44[1]};
+            max_f32_ftz_unit_phase <= max_f32_ftz_unit_phase ? (max_f32_ftz_unit_phase - 1'd1) : (max_f32_ftz_unit_phase + 1'd1);
+            max_f32_ftz_unit_copy2_phase <= max_f32_ftz_unit_copy2_phase ? (max_f32_ftz_unit_copy2_phase - 1'd1) : (max_f32_ftz_unit_copy2_phase + 1'd1);
+            max_f32_ftz_unit_copy3_phase <= max_f32_ftz_unit_copy3_phase ? (max_f32_ftz_unit_copy3_phase - 1'd1) : (max_f32_ftz_unit_copy3_phase + 1'd1);
+            max_f32_ftz_unit_copy4_phase <= max_f32_ftz_unit_copy4_phase ? (max_f32_ftz_unit_copy4_phase - 1'd1) : (max_f32_ftz_unit_copy4_phase + 1'd1);
+            max_f32_ftz_unit_copy5_phase <= max_f32_ftz_unit_copy5_phase ? (max_f32_ftz_unit_copy5_phase - 1'd1) : (max_f32_ftz_unit_copy5_phase + 1'd1);
+            max_f32_ftz_unit_copy6_phase <= max_f32_ftz_unit_copy6_phase ? (max_f32_ftz_unit_copy6_phase - 1'd1) : (max_f32_ftz_unit_copy6_phase + 1'd1);
+            max_f32_ftz_unit_copy7_phase <= max_f32_ftz_unit_copy7_phase ? (max_f32_ftz_unit_copy7_phase - 1'd1) : (max_f32_ftz_unit_copy7_phase + 1'd1);
+            max_f32_ftz_unit_copy8_phase <= max_f32_ftz_unit_copy8_phase ? (max_f32_ftz_unit_copy8_phase - 1'd1) : (max_f32_ftz_unit_copy8_phase + 1'd1);
+            lt_f32_ftz_unit_phase <= lt_f32_ftz_unit_phase ? (lt_f32_ftz_unit_phase - 1'd1) : (lt_f32_ftz_unit_phase + 1'd1);
+            lt_f32_ftz_unit_copy2_phase <= lt_f32_ftz_unit_copy2_phase ? (lt_f32_ftz_unit_copy2_phase - 1'd1) : (lt_f32_ftz_unit_copy2_phase + 1'd1);
+            lt_f32_ftz_unit_copy3_phase <= lt_f32_ftz_unit_copy3_phase ? (lt_f32_ftz_unit_copy3_phase - 1'd1) : (lt_f32_ftz_unit_copy3_phase + 1'd1);
+            lt_f32_ftz_unit_copy4_phase <= lt_f32_ftz_unit_copy4_phase ? (lt_f32_ftz_unit_copy4_phase - 1'd1) : (lt_f32_ftz_unit_copy4_phase + 1'd1);
+            add_f32_ftz_unit_phase <= add_f32_ftz_unit_phase ? (add_f32_ftz_unit_phase - 1'd1) : (add_f32_ftz_unit_phase + 1'd1);
+            add_f32_ftz_unit_copy2_phase <= add_f32_ftz_unit_copy2_phase ? (add_f32_ftz_unit_copy2_phase - 1'd1) : (add_f32_ftz_unit_copy2_phase + 1'd1);
+            add_f32_ftz_unit_copy3_phase <= add_f32_ftz_unit_copy3_phase ? (add_f32_ftz_unit_copy3_phase - 1'd1) : (add_f32_ftz_unit_copy3_phase + 1'd1);
+            add_f32_ftz_unit_copy4_phase <= add_f32_ftz_unit_copy4_phase ? (add_f32_ftz_unit_copy4_phase - 1'd1) : (add_f32_ftz_unit_copy4_phase + 1'd1);
+            add_f32_ftz_unit_copy5_phase <= add_f32_ftz_unit_copy5_phase ? (add_f32_ftz_unit_copy5_phase - 1'd1) : (add_f32_ftz_unit_copy5_phase + 1'd1);
+            add_f32_ftz_unit_copy6_phase <= add_f32_ftz_unit_copy6_phase ? (add_f32_ftz_unit_copy6_phase - 1'd1) : (add_f32_ftz_unit_copy6_phase + 1'd1);
+            add_f32_ftz_unit_copy7_phase <= add_f32_ftz_unit_copy7_phase ? (add_f32_ftz_unit_copy7_phase - 1'd1) : (add_f32_ftz_unit_copy7_phase + 1'd1);
+            add_f32_ftz_unit_copy8_phase <= add_f32_ftz_unit_copy8_phase ? (add_f32_ftz_unit_copy8_phase - 1'd1) : (add_f32_ftz_unit_copy8_phase + 1'd1);
+            add_f32_ftz_unit_copy9_phase <= add_f32_ftz_unit_copy9_phase ? (add_f32_ftz_unit_copy9_phase - 1'd1) : (add_f32_ftz_unit_copy9_phase + 1'd1);
+            add_f32_ftz_unit_copy10_phase <= add_f32_ftz_unit_copy10_phase ? (add_f32_ftz_unit_copy10_phase - 1'd1) : (add_f32_ftz_unit_copy10_phase + 1'd1);
+            add_f32_ftz_unit_copy11_phase <= add_f32_ftz_unit_copy11_phase ? (add_f32_ftz_unit_copy11_phase - 1'd1) : (add_f32_ftz_unit_copy11_phase + 1'd1);
+            add_f32_ftz_unit_copy12_phase <= add_f32_ftz_unit_copy12_phase ? (add_f32_ftz_unit_copy12_phase - 1'd1) : (add_f32_ftz_unit_copy12_phase + 1'd1);
+            add_f32_ftz_unit_copy13_phase <= add_f32_ftz_unit_copy13_phase ? (add_f32_ftz_unit_copy13_phase - 1'd1) : (add_f32_ftz_unit_copy13_phase + 1'd1);
+            add_f32_ftz_unit_copy14_phase <= add_f32_ftz_unit_copy14_phase ? (add_f32_ftz_unit_copy14_phase - 1'd1) : (add_f32_ftz_unit_copy14_phase + 1'd1);
+            add_f32_ftz_unit_copy15_phase <= add_f32_ftz_unit_copy15_phase ? (add_f32_ftz_unit_copy15_phase - 1'd1) : (add_f32_ftz_unit_copy15_phase + 1'd1);
+            add_f32_ftz_unit_copy16_phase <= add_f32_ftz_unit_copy16_phase ? (add_f32_ftz_unit_copy16_phase - 1'd1) : (add_f32_ftz_unit_copy16_phase + 1'd1);
+            add_f32_ftz_unit_copy17_phase <= add_f32_ftz_unit_copy17_phase ? (add_f32_ftz_unit_copy17_phase - 1'd1) : (add_f32_ftz_unit_copy17_phase + 1'd1);
+            add_f32_ftz_unit_copy18_phase <= add_f32_ftz_unit_copy18_phase ? (add_f32_ftz_unit_copy18_phase - 1'd1) : (add_f32_ftz_unit_copy18_phase + 1'd1);
+            add_f32_ftz_unit_copy19_phase <= add_f32_ftz_unit_copy19_phase ? (add_f32_ftz_unit_copy19_phase - 1'd1) : (add_f32_ftz_unit_copy19_phase + 1'd1);
+            add_f32_ftz_unit_copy20_phase <= add_f32_ftz_unit_copy20_phase ? (add_f32_ftz_unit_copy20_phase - 1'd1) : (add_f32_ftz_unit_copy20_phase + 1'd1);
+            add_f32_ftz_unit_copy21_phase <= add_f32_ftz_unit_copy21_phase ? (add_f32_ftz_unit_copy21_phase - 1'd1) : (add_f32_ftz_unit_copy21_phase + 1'd1);
+            add_f32_ftz_unit_copy22_phase <= add_f32_ftz_unit_copy22_phase ? (add_f32_ftz_unit_copy22_phase - 1'd1) : (add_f32_ftz_unit_copy22_phase + 1'd1);
+            add_f32_ftz_unit_copy23_phase <= add_f32_ftz_unit_copy23_phase ? (add_f32_ftz_unit_copy23_phase - 1'd1) : (add_f32_ftz_unit_copy23_phase + 1'd1);
+            add_f32_ftz_unit_copy24_phase <= add_f32_ftz_unit_copy24_phase ? (add_f32_ftz_unit_copy24_phase - 1'd1) : (add_f32_ftz_unit_copy24_phase + 1'd1);
+            add_f32_ftz_unit_copy25_phase <= add_f32_ftz_unit_copy25_phase ? (add_f32_ftz_unit_copy25_phase - 1'd1) : (add_f32_ftz_unit_copy25_phase + 1'd1);
+            add_f32_ftz_unit_copy26_phase <= add_f32_ftz_unit_copy26_phase ? (add_f32_ftz_unit_copy26_phase - 1'd1) : (add_f32_ftz_unit_copy26_phase + 1'd1);
+            add_f32_ftz_unit_copy27_phase <= add_f32_ftz_unit_copy27_phase ? (add_f32_ftz_unit_copy27_phase - 1'd1) : (add_f32_ftz_unit_copy27_phase + 1'd1);
+            recip_f32_ftz_unit_phase <= recip_f32_ftz_unit_phase ? (recip_f32_ftz_unit_phase - 1'd1) : (recip_f32_ftz_unit_phase + 1'd1);
+            mul_f32_ftz_unit_phase <= mul_f32_ftz_unit_phase ? (mul_f32_ftz_unit_phase - 1'd1) : (mul_f32_ftz_unit_phase + 1'd1);
+            mul_f32_ftz_unit_copy2_phase <= mul_f32_ftz_unit_copy2_phase ? (mul_f32_ftz_unit_copy2_phase - 1'd1) : (mul_f32_ftz_unit_copy2_phase + 1'd1);
+            mul_f32_ftz_unit_copy3_phase <= mul_f32_ftz_unit_copy3_phase ? (mul_f32_ftz_unit_copy3_phase - 1'd1) : (mul_f32_ftz_unit_copy3_phase + 1'd1);
+            mul_f32_ftz_unit_copy4_phase <= mul_f32_ftz_unit_copy4_phase ? (mul_f32_ftz_unit_copy4_phase - 1'd1) : (mul_f32_ftz_unit_copy4_phase + 1'd1);
+            mul_f32_ftz_unit_copy5_phase <= mul_f32_ftz_unit_copy5_phase ? (mul_f32_ftz_unit_copy5_phase - 1'd1) : (mul_f32_ftz_unit_copy5_phase + 1'd1);
+            mul_f32_ftz_unit_copy6_phase <= mul_f32_ftz_unit_copy6_phase ? (mul_f32_ftz_unit_copy6_phase - 1'd1) : (mul_f32_ftz_unit_copy6_phase + 1'd1);
+            mul_f32_ftz_unit_copy7_phase <= mul_f32_ftz_unit_copy7_phase ? (mul_f32_ftz_unit_copy7_phase - 1'd1) : (mul_f32_ftz_unit_copy7_phase + 1'd1);
+            mul_f32_ftz_unit_copy8_phase <= mul_f32_ftz_unit_copy8_phase ? (mul_f32_ftz_unit_copy8_phase - 1'd1) : (mul_f32_ftz_unit_copy8_phase + 1'd1);
+            mul_f32_ftz_unit_copy9_phase <= mul_f32_ftz_unit_copy9_phase ? (mul_f32_ftz_unit_copy9_phase - 1'd1) : (mul_f32_ftz_unit_copy9_phase + 1'd1);
+            mul_f32_ftz_unit_copy10_phase <= mul_f32_ftz_unit_copy10_phase ? (mul_f32_ftz_unit_copy10_phase - 1'd1) : (mul_f32_ftz_unit_copy10_phase + 1'd1);
+            mul_f32_ftz_unit_copy11_phase <= mul_f32_ftz_unit_copy11_phase ? (mul_f32_ftz_unit_copy11_phase - 1'd1) : (mul_f32_ftz_unit_copy11_phase + 1'd1);
+            mul_f32_ftz_unit_copy12_phase <= mul_f32_ftz_unit_copy12_phase ? (mul_f32_ftz_unit_copy12_phase - 1'd1) : (mul_f32_ftz_unit_copy12_phase + 1'd1);
+            mul_f32_ftz_unit_copy13_phase <= mul_f32_ftz_unit_copy13_phase ? (mul_f32_ftz_unit_copy13_phase - 1'd1) : (mul_f32_ftz_unit_copy13_phase + 1'd1);
+            mul_f32_ftz_unit_copy14_phase <= mul_f32_ftz_unit_copy14_phase ? (mul_f32_ftz_unit_copy14_phase - 1'd1) : (mul_f32_ftz_unit_copy14_phase + 1'd1);
+            mul_f32_ftz_unit_copy15_phase <= mul_f32_ftz_unit_copy15_phase ? (mul_f32_ftz_unit_copy15_phase - 1'd1) : (mul_f32_ftz_unit_copy15_phase + 1'd1);
+            mul_f32_ftz_unit_copy16_phase <= mul_f32_ftz_unit_copy16_phase ? (mul_f32_ftz_unit_copy16_phase - 1'd1) : (mul_f32_ftz_unit_copy16_phase + 1'd1);
+            mul_f32_ftz_unit_copy17_phase <= mul_f32_ftz_unit_copy17_phase ? (mul_f32_ftz_unit_copy17_phase - 1'd1) : (mul_f32_ftz_unit_copy17_phase + 1'd1);
+            mul_f32_ftz_unit_copy18_phase <= mul_f32_ftz_unit_copy18_phase ? (mul_f32_ftz_unit_copy18_phase - 1'd1) : (mul_f32_ftz_unit_copy18_phase + 1'd1);
+            mul_f32_ftz_unit_copy19_phase <= mul_f32_ftz_unit_copy19_phase ? (mul_f32_ftz_unit_copy19_phase - 1'd1) : (mul_f32_ftz_unit_copy19_phase + 1'd1);
+            mul_f32_ftz_unit_copy20_phase <= mul_f32_ftz_unit_copy20_phase ? (mul_f32_ftz_unit_copy20_phase - 1'd1) : (mul_f32_ftz_unit_copy20_phase + 1'd1);
+            mul_f32_ftz_unit_copy21_phase <= mul_f32_ftz_unit_copy21_phase ? (mul_f32_ftz_unit_copy21_phase - 1'd1) : (mul_f32_ftz_unit_copy21_phase + 1'd1);
+            mul_f32_ftz_unit_copy22_phase <= mul_f32_ftz_unit_copy22_phase ? (mul_f32_ftz_unit_copy22_phase - 1'd1) : (mul_f32_ftz_unit_copy22_phase + 1'd1);
+            mul_f32_ftz_unit_copy23_phase <= mul_f32_ftz_unit_copy23_phase ? (mul_f32_ftz_unit_copy23_phase - 1'd1) : (mul_f32_ftz_unit_copy23_phase + 1'd1);
+            mul_f32_ftz_unit_copy24_phase <= mul_f32_ftz_unit_copy24_phase ? (mul_f32_ftz_unit_copy24_phase - 1'd1) : (mul_f32_ftz_unit_copy24_phase + 1'd1);
+            mul_f32_ftz_unit_copy25_phase <= mul_f32_ftz_unit_copy25_phase ? (mul_f32_ftz_unit_copy25_phase - 1'd1) : (mul_f32_ftz_unit_copy25_phase + 1'd1);
+            mul_f32_ftz_unit_copy26_phase <= mul_f32_ftz_unit_copy26_phase ? (mul_f32_ftz_unit_copy26_phase - 1'd1) : (mul_f32_ftz_unit_copy26_phase + 1'd1);
+            mul_f32_ftz_unit_copy27_phase <= mul_f32_ftz_unit_copy27_phase ? (mul_f32_ftz_unit_copy27_phase - 1'd1) : (mul_f32_ftz_unit_copy27_phase + 1'd1);
+            mul_f32_ftz_unit_copy28_phase <= mul_f32_ftz_unit_copy28_phase ? (mul_f32_ftz_unit_copy28_phase - 1'd1) : (mul_f32_ftz_unit_copy28_phase + 1'd1);
+            mul_f32_ftz_unit_copy29_phase <= mul_f32_ftz_unit_copy29_phase ? (mul_f32_ftz_unit_copy29_phase - 1'd1) : (mul_f32_ftz_unit_copy29_phase + 1'd1);
+            mul_f32_ftz_unit_copy30_phase <= mul_f32_ftz_unit_copy30_phase ? (mul_f32_ftz_unit_copy30_phase - 1'd1) : (mul_f32_ftz_unit_copy30_phase + 1'd1);
+            sqrt_f32_ftz_unit_phase <= sqrt_f32_ftz_unit_phase ? (sqrt_f32_ftz_unit_phase - 1'd1) : (sqrt_f32_ftz_unit_phase + 1'd1);
+            sqrt_f32_ftz_unit_copy2_phase <= sqrt_f32_ftz_unit_copy2_phase ? (sqrt_f32_ftz_unit_copy2_phase - 1'd1) : (sqrt_f32_ftz_unit_copy2_phase + 1'd1);
+            le_f32_ftz_unit_phase <= le_f32_ftz_unit_phase ? (le_f32_ftz_unit_phase - 1'd1) : (le_f32_ftz_unit_phase + 1'd1);
+            le_f32_ftz_unit_copy2_phase <= le_f32_ftz_unit_copy2_phase ? (le_f32_ftz_unit_copy2_phase - 1'd1) : (le_f32_ftz_unit_copy2_phase + 1'd1);
+            min_f32_ftz_unit_phase <= min_f32_ftz_unit_phase ? (min_f32_ftz_unit_phase - 1'd1) : (min_f32_ftz_unit_phase + 1'd1);
+            min_f32_ftz_unit_copy2_phase <= min_f32_ftz_unit_copy2_phase ? (min_f32_ftz_unit_copy2_phase - 1'd1) : (min_f32_ftz_unit_copy2_phase + 1'd1);
+            min_f32_ftz_unit_copy3_phase <= min_f32_ftz_unit_copy3_phase ? (min_f32_ftz_unit_copy3_phase - 1'd1) : (min_f32_ftz_unit_copy3_phase + 1'd1);
+            min_f32_ftz_unit_copy4_phase <= min_f32_ftz_unit_copy4_phase ? (min_f32_ftz_unit_copy4_phase - 1'd1) : (min_f32_ftz_unit_copy4_phase + 1'd1);
+            to_fixed_f32_ftz_u21q8_unit_copy2_phase <= to_fixed_f32_ftz_u21q8_unit_copy2_phase ? (to_fixed_f32_ftz_u21q8_unit_copy2_phase - 1'd1) : (to_fixed_f32_ftz_u21q8_unit_copy2_phase + 1'd1);
+            to_fixed_f32_ftz_u23q8_unit_phase <= to_fixed_f32_ftz_u23q8_unit_phase ? (to_fixed_f32_ftz_u23q8_unit_phase - 1'd1) : (to_fixed_f32_ftz_u23q8_unit_phase + 1'd1);
+            to_fixed_f32_ftz_s22q8_unit_phase <= to_fixed_f32_ftz_s22q8_unit_phase ? (to_fixed_f32_ftz_s22q8_unit_phase - 1'd1) : (to_fixed_f32_ftz_s22q8_unit_phase + 1'd1);
+            to_fixed_f32_ftz_u24q24_unit_phase <= to_fixed_f32_ftz_u24q24_unit_phase ? (to_fixed_f32_ftz_u24q24_unit_phase - 1'd1) : (to_fixed_f32_ftz_u24q24_unit_phase + 1'd1);
+            phases_45 <= {phases_45[0], phases_45[1]};
+            left <= out_valid & out_ready;
+            dropped <= in_flight_94_and_phases_38_0 & ~end_or_visible;
+            if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
                 delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
-                delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+            end
+            if (phases_2[0]) begin
+                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
                 delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
-                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-                delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
-                delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
-                delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
-                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
                 delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
-                delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+            end
+            if (phases_3[0]) begin
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+                delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+            end
+            if (phases_4[0]) begin
+                delay_11_from_0_copy2_pointer <= (delay_11_from_0_copy2_pointer == 4'd9) ? (delay_11_from_0_copy2_pointer - 4'd9) : (delay_11_from_0_copy2_pointer + 4'd1);
                 delay_35_from_0_pointer <= (delay_35_from_0_pointer == 6'd33) ? (delay_35_from_0_pointer - 6'd33) : (delay_35_from_0_pointer + 6'd1);
                 delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
-                delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
-                delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
-                delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
-                delay_55_from_0_pointer <= (delay_55_from_0_pointer == 6'd53) ? (delay_55_from_0_pointer - 6'd53) : (delay_55_from_0_pointer + 6'd1);
-                delay_57_from_0_pointer <= (delay_57_from_0_pointer == 6'd55) ? (delay_57_from_0_pointer - 6'd55) : (delay_57_from_0_pointer + 6'd1);
-                delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
-                delay_95_from_0_pointer <= (delay_95_from_0_pointer == 7'd93) ? (delay_95_from_0_pointer - 7'd93) : (delay_95_from_0_pointer + 7'd1);
-                in_flight <= {in_flight[93:0], in_valid};
             end
-            if (load_1) begin
+            if (phases_5[0]) begin
+                delay_11_from_0_copy3_pointer <= (delay_11_from_0_copy3_pointer == 4'd9) ? (delay_11_from_0_copy3_pointer - 4'd9) : (delay_11_from_0_copy3_pointer + 4'd1);
+                delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
+                delay_57_from_0_pointer <= (delay_57_from_0_pointer == 6'd55) ? (delay_57_from_0_pointer - 6'd55) : (delay_57_from_0_pointer + 6'd1);
+            end
+            if (phases_6[0]) begin
+                delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+                delay_17_from_0_copy3_pointer <= (delay_17_from_0_copy3_pointer == 4'd15) ? (delay_17_from_0_copy3_pointer - 4'd15) : (delay_17_from_0_copy3_pointer + 4'd1);
+                delay_55_from_0_pointer <= (delay_55_from_0_pointer == 6'd53) ? (delay_55_from_0_pointer - 6'd53) : (delay_55_from_0_pointer + 6'd1);
+                delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
+            end
+            if (phases_7[0]) begin
+                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
+            end
+            if (phases_8[0]) begin
+                delay_17_from_0_copy2_pointer <= (delay_17_from_0_copy2_pointer == 4'd15) ? (delay_17_from_0_copy2_pointer - 4'd15) : (delay_17_from_0_copy2_pointer + 4'd1);
+            end
+            if (phases_9[0]) begin
+                delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+                delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
+            end
+            if (phases_10[0]) begin
+                delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
+            end
+            if (phases_11[0]) begin
+                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+            end
+            if (phases_12[0]) begin
+                delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+                delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
+                delay_95_from_0_copy3_pointer <= (delay_95_from_0_copy3_pointer == 7'd93) ? (delay_95_from_0_copy3_pointer - 7'd93) : (delay_95_from_0_copy3_pointer + 7'd1);
+            end
+            if (phases_13[0]) begin
+                delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
+            end
+            if (phases_14[0]) begin
+                delay_95_from_0_pointer <= (delay_95_from_0_pointer == 7'd93) ? (delay_95_from_0_pointer - 7'd93) : (delay_95_from_0_pointer + 7'd1);
+            end
+            if (phases_15[0]) begin
+                delay_95_from_0_copy2_pointer <= (delay_95_from_0_copy2_pointer == 7'd93) ? (delay_95_from_0_copy2_pointer - 7'd93) : (delay_95_from_0_copy2_pointer + 7'd1);
+            end
+            if (phases_1[1]) begin
                 delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
-                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
-                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
                 delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
                 delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
                 delay_14_from_1_pointer <= (delay_14_from_1_pointer == 4'd12) ? (delay_14_from_1_pointer - 4'd12) : (delay_14_from_1_pointer + 4'd1);
+                delay_32_from_1_pointer <= (delay_32_from_1_pointer == 5'd30) ? (delay_32_from_1_pointer - 5'd30) : (delay_32_from_1_pointer + 5'd1);
+                delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
+                delay_51_from_1_pointer <= (delay_51_from_1_pointer == 6'd49) ? (delay_51_from_1_pointer - 6'd49) : (delay_51_from_1_pointer + 6'd1);
+            end
+            if (phases_2[1]) begin
+                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
+                delay_10_from_1_copy3_pointer <= (delay_10_from_1_copy3_pointer == 4'd8) ? (delay_10_from_1_copy3_pointer - 4'd8) : (delay_10_from_1_copy3_pointer + 4'd1);
+                delay_86_from_1_pointer <= (delay_86_from_1_pointer == 7'd84) ? (delay_86_from_1_pointer - 7'd84) : (delay_86_from_1_pointer + 7'd1);
+            end
+            if (phases_3[1]) begin
+                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+            end
+            if (phases_4[1]) begin
+                delay_10_from_1_copy2_pointer <= (delay_10_from_1_copy2_pointer == 4'd8) ? (delay_10_from_1_copy2_pointer - 4'd8) : (delay_10_from_1_copy2_pointer + 4'd1);
+            end
+            if (phases_5[1]) begin
                 delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
                 delay_26_from_1_pointer <= (delay_26_from_1_pointer == 5'd24) ? (delay_26_from_1_pointer - 5'd24) : (delay_26_from_1_pointer + 5'd1);
                 delay_31_from_1_pointer <= (delay_31_from_1_pointer == 5'd29) ? (delay_31_from_1_pointer - 5'd29) : (delay_31_from_1_pointer + 5'd1);
-                delay_32_from_1_pointer <= (delay_32_from_1_pointer == 5'd30) ? (delay_32_from_1_pointer - 5'd30) : (delay_32_from_1_pointer + 5'd1);
-                delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
+            end
+            if (phases_6[1]) begin
                 delay_41_from_1_pointer <= (delay_41_from_1_pointer == 6'd39) ? (delay_41_from_1_pointer - 6'd39) : (delay_41_from_1_pointer + 6'd1);
                 delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+            end
+            if (phases_7[1]) begin
                 delay_45_from_1_pointer <= (delay_45_from_1_pointer == 6'd43) ? (delay_45_from_1_pointer - 6'd43) : (delay_45_from_1_pointer + 6'd1);
-                delay_51_from_1_pointer <= (delay_51_from_1_pointer == 6'd49) ? (delay_51_from_1_pointer - 6'd49) : (delay_51_from_1_pointer + 6'd1);
                 delay_52_from_1_pointer <= (delay_52_from_1_pointer == 6'd50) ? (delay_52_from_1_pointer - 6'd50) : (delay_52_from_1_pointer + 6'd1);
+            end
+            if (phases_8[1]) begin
                 delay_53_from_1_pointer <= (delay_53_from_1_pointer == 6'd51) ? (delay_53_from_1_pointer - 6'd51) : (delay_53_from_1_pointer + 6'd1);
+            end
+            if (phases_9[1]) begin
+                delay_53_from_1_copy2_pointer <= (delay_53_from_1_copy2_pointer == 6'd51) ? (delay_53_from_1_copy2_pointer - 6'd51) : (delay_53_from_1_copy2_pointer + 6'd1);
                 delay_61_from_1_pointer <= (delay_61_from_1_pointer == 6'd59) ? (delay_61_from_1_pointer - 6'd59) : (delay_61_from_1_pointer + 6'd1);
                 delay_62_from_1_pointer <= (delay_62_from_1_pointer == 6'd60) ? (delay_62_from_1_pointer - 6'd60) : (delay_62_from_1_pointer + 6'd1);
-                delay_86_from_1_pointer <= (delay_86_from_1_pointer == 7'd84) ? (delay_86_from_1_pointer - 7'd84) : (delay_86_from_1_pointer + 7'd1);
             end
+            if (phases_45[0]) in_flight <= {in_flight[93:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_11[0]) begin
             center_x_d1 <= in_center_x;
+            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[31];
+            lowered_chosen_sign_d2_copy4 <= lowered_chosen_sign_d1_copy4;
+        end
+        if (phases_13[0]) begin
             center_x_d2 <= center_x_d1;
+            lowered_d1 <= lowered;
+            lowered_d27 <= delay_25_from_0_out;
+            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[31];
+            lowered_chosen_sign_d2_copy5 <= lowered_chosen_sign_d1_copy5;
+        end
+        if (phases_16[0]) begin
             center_x_d3 <= center_x_d2;
             center_y_d1 <= in_center_y;
             center_y_d2 <= center_y_d1;
             center_y_d3 <= center_y_d2;
+        end
+        if (phases_17[0]) begin
             center_z_d1 <= in_center_z;
             center_z_d2 <= center_z_d1;
             center_z_d3 <= center_z_d2;
             tangent1_x_d1 <= in_tangent1_x;
+        end
+        if (phases_18[0]) begin
             tangent1_x_d2 <= tangent1_x_d1;
             tangent1_x_d3 <= tangent1_x_d2;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_y_d2 <= tangent1_y_d1;
+        end
+        if (phases_19[0]) begin
             tangent1_y_d3 <= tangent1_y_d2;
             tangent1_z_d1 <= in_tangent1_z;
             tangent1_z_d2 <= tangent1_z_d1;
             tangent1_z_d3 <= tangent1_z_d2;
+        end
+        if (phases_20[0]) begin
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_x_d2 <= tangent2_x_d1;
             tangent2_x_d3 <= tangent2_x_d2;
             tangent2_y_d1 <= in_tangent2_y;
+        end
+        if (phases_21[0]) begin
             tangent2_y_d2 <= tangent2_y_d1;
             tangent2_y_d3 <= tangent2_y_d2;
             tangent2_z_d1 <= in_tangent2_z;
             tangent2_z_d2 <= tangent2_z_d1;
+        end
+        if (phases_22[0]) begin
             tangent2_z_d3 <= tangent2_z_d2;
-            first_x_both_d1 <= first_x_both_copy3;
-            first_x_either_d1 <= first_x_either;
-            first_y_both_d1 <= first_y_both_copy3;
-            first_y_either_d1 <= first_y_either;
-            reaches_near_both_d1 <= reaches_near_both_copy3;
-            reaches_near_either_d1 <= reaches_near_either;
-            turned_greater_d1 <= turned_greater;
-            center_z_bits_plus_10_d1 <= center_z_bits_plus_10;
-            lowered_chosen_bits_d1 <= lowered_chosen_copy6[30:23];
-            lowered_chosen_bits_d1_copy3 <= lowered_chosen_copy7[30:23];
-            lowered_chosen_bits_d1_copy5 <= lowered_chosen_copy8[30:23];
-            lowered_greater_d1_copy2 <= lowered_greater_copy2;
-            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy9[30:23];
-            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy10[30:23];
-            lowered_greater_d1_copy4 <= lowered_greater_copy4;
-            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy11[30:23];
-            lowered_chosen_bits_d1_copy13 <= lowered_chosen_copy5[30:23];
-            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
-            lowered_chosen_bits_plus_60_d2 <= lowered_chosen_bits_plus_60_d1;
-            lowered_d1 <= lowered;
-            lowered_d27 <= delay_25_from_0_out;
-            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
-            lowered_chosen_bits_d1_copy14 <= lowered_chosen_copy6[22:0];
-            lowered_chosen_bits_d2_copy7 <= lowered_chosen_bits_d1_copy14;
             lowered_chosen_bits_d3_copy7 <= lowered_chosen_bits_d2_copy7;
             lowered_chosen_bits_d4 <= lowered_chosen_bits_d3_copy7;
-            lowered_chosen_sign_d1 <= lowered_chosen_copy6[31];
-            lowered_chosen_sign_d2 <= lowered_chosen_sign_d1;
-            lowered_chosen_sign_d3 <= lowered_chosen_sign_d2;
-            lowered_chosen_sign_d4 <= lowered_chosen_sign_d3;
-            lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
             lowered_chosen_bits_d1_copy15 <= lowered_chosen_copy7[22:0];
             lowered_chosen_bits_d2_copy8 <= lowered_chosen_bits_d1_copy15;
-            lowered_chosen_bits_d3_copy8 <= lowered_chosen_bits_d2_copy8;
-            lowered_chosen_bits_d4_copy2 <= lowered_chosen_bits_d3_copy8;
-            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[31];
-            lowered_chosen_sign_d2_copy2 <= lowered_chosen_sign_d1_copy2;
-            lowered_chosen_sign_d3_copy2 <= lowered_chosen_sign_d2_copy2;
-            lowered_chosen_sign_d4_copy2 <= lowered_chosen_sign_d3_copy2;
-            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
-            lowered_chosen_bits_d1_copy16 <= lowered_chosen_copy8[22:0];
-            lowered_chosen_bits_d2_copy9 <= lowered_chosen_bits_d1_copy16;
-            lowered_chosen_bits_d3_copy9 <= lowered_chosen_bits_d2_copy9;
-            lowered_chosen_bits_d4_copy3 <= lowered_chosen_bits_d3_copy9;
-            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[31];
-            lowered_chosen_sign_d2_copy3 <= lowered_chosen_sign_d1_copy3;
-            lowered_chosen_sign_d3_copy3 <= lowered_chosen_sign_d2_copy3;
-            lowered_chosen_sign_d4_copy3 <= lowered_chosen_sign_d3_copy3;
-            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
-            lowered_chosen_bits_d1_copy17 <= lowered_chosen_copy9[22:0];
-            lowered_chosen_bits_d2_copy10 <= lowered_chosen_bits_d1_copy17;
-            lowered_chosen_bits_d3_copy10 <= lowered_chosen_bits_d2_copy10;
-            lowered_chosen_bits_d4_copy4 <= lowered_chosen_bits_d3_copy10;
-            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[31];
-            lowered_chosen_sign_d2_copy4 <= lowered_chosen_sign_d1_copy4;
-            lowered_chosen_sign_d3_copy4 <= lowered_chosen_sign_d2_copy4;
-            lowered_chosen_sign_d4_copy4 <= lowered_chosen_sign_d3_copy4;
-            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
-            lowered_chosen_bits_d1_copy18 <= lowered_chosen_copy10[22:0];
-            lowered_chosen_bits_d2_copy11 <= lowered_chosen_bits_d1_copy18;
-            lowered_chosen_bits_d3_copy11 <= lowered_chosen_bits_d2_copy11;
-            lowered_chosen_bits_d4_copy5 <= lowered_chosen_bits_d3_copy11;
-            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[31];
-            lowered_chosen_sign_d2_copy5 <= lowered_chosen_sign_d1_copy5;
-            lowered_chosen_sign_d3_copy5 <= lowered_chosen_sign_d2_copy5;
-            lowered_chosen_sign_d4_copy5 <= lowered_chosen_sign_d3_copy5;
-            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
-            lowered_chosen_bits_d1_copy19 <= lowered_chosen_copy11[22:0];
-            lowered_chosen_bits_d2_copy12 <= lowered_chosen_bits_d1_copy19;
-            lowered_chosen_bits_d3_copy12 <= lowered_chosen_bits_d2_copy12;
-            lowered_chosen_bits_d4_copy6 <= lowered_chosen_bits_d3_copy12;
             lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[31];
             lowered_chosen_sign_d2_copy6 <= lowered_chosen_sign_d1_copy6;
             lowered_chosen_sign_d3_copy6 <= lowered_chosen_sign_d2_copy6;
             lowered_chosen_sign_d4_copy6 <= lowered_chosen_sign_d3_copy6;
-            not_turned_d1 <= not_turned;
-            alpha_d12 <= alpha_d11;
-            alpha_d13 <= alpha_d12;
-            beta_d12 <= beta_d11;
-            beta_d13 <= beta_d12;
-            whole_d1 <= whole;
-            spread_half_d1 <= mul_f32_ftz_unit_copy5_y;
-            spread_half_d2 <= spread_half_d1;
-            spread_half_d3 <= spread_half_d2;
-            spread_half_d4 <= spread_half_d3;
-            a_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy8_y;
-            a_x_joined_times_r_d2 <= a_x_joined_times_r_d1;
-            a_x_joined_times_r_d3 <= a_x_joined_times_r_d2;
-            a_x_joined_times_r_d4 <= a_x_joined_times_r_d3;
-            b_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy9_y;
-            b_x_joined_times_r_d2 <= b_x_joined_times_r_d1;
-            b_x_joined_times_r_d3 <= b_x_joined_times_r_d2;
-            b_x_joined_times_r_d4 <= b_x_joined_times_r_d3;
-            first_x_in_order_d1_copy3 <= lt_f32_ftz_unit_copy3_y;
-            first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy15_y[31], first_x_chosen_copy6};
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            a_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy17_y;
-            a_y_joined_times_r_d2 <= a_y_joined_times_r_d1;
-            a_y_joined_times_r_d3 <= a_y_joined_times_r_d2;
-            a_y_joined_times_r_d4 <= a_y_joined_times_r_d3;
-            b_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy18_y;
-            b_y_joined_times_r_d2 <= b_y_joined_times_r_d1;
-            b_y_joined_times_r_d3 <= b_y_joined_times_r_d2;
-            b_y_joined_times_r_d4 <= b_y_joined_times_r_d3;
-            center_y_d1_copy2 <= add_f32_ftz_unit_copy11_y;
-            first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy24_y[31], first_y_chosen_copy6};
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy10;
-            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
-            first_y_shifted_d2 <= first_y_shifted_d1;
-            first_y_shifted_d3 <= first_y_shifted_d2;
-            last_y_greater_d1 <= max_f32_ftz_unit_copy5_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
-            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
-            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            beta_bits_d12 <= beta_bits_d11;
-            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
-            alpha_bits_d12 <= alpha_bits_d11;
-            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
-            mx_sum_d1 <= mx_sum;
-            mx_both_d1 <= mx_both;
-            mx_chosen_d1 <= mx_chosen[7:0];
-            mx_sum_d1_copy2 <= mx_sum_copy2;
-            mx_both_d1_copy2 <= mx_both_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            mx_product_d1 <= mul_f32_ftz_unit_copy27_y;
-            largest_sum_d9 <= largest_sum_d8;
-            largest_greater_d1 <= largest_greater;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            ax_out_both_d1 <= ax_out_both;
-            ax_out_chosen_d1 <= ax_out_chosen[7:0];
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            ay_out_both_d1 <= ay_out_both;
-            ay_out_chosen_d1 <= ay_out_chosen[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            bx_out_both_d1 <= bx_out_both;
-            bx_out_chosen_d1 <= bx_out_chosen[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            by_out_both_d1 <= by_out_both;
-            by_out_chosen_d1 <= by_out_chosen[7:0];
-            delta_sum_d1 <= delta_sum;
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_bits_d1 <= mx_bits_d1_bits;
-            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy14_y[22:0];
-            mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_bits_d1_copy2};
-            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy14_y[31];
-            mx_bits_d2 <= mx_bits_d1_copy3;
-            my_bits_d1 <= my_bits_d1_bits;
-            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_both_d1 <= my_both;
-            my_bits_d1_copy2 <= add_f32_ftz_unit_copy15_y[22:0];
-            my_joined_d1 <= {my_chosen[7:0], my_bits_d1_copy2};
-            my_bits_d1_copy3 <= add_f32_ftz_unit_copy15_y[31];
-            my_bits_d2 <= my_bits_d1_copy3;
-            edge_on_lesser_d1 <= edge_on_lesser;
-            unit_delta_product_bits_d1 <= mul_f32_ftz_unit_copy25_y[30:23];
-            unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
-            unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
-            unit_delta_product_bits_d4 <= unit_delta_product_bits_d3;
-            first_sum_sum_d1 <= add_f32_ftz_unit_copy17_y;
-            first_sum_sum_d2 <= first_sum_sum_d1;
-            first_sum_sum_d3 <= first_sum_sum_d2;
-            first_sum_sum_d4 <= first_sum_sum_d3;
-            first_sum_sum_d1_copy2 <= add_f32_ftz_unit_copy22_y;
-            first_sum_sum_d2_copy2 <= first_sum_sum_d1_copy2;
-            first_sum_sum_d1_copy3 <= first_sum_sum;
-            last_sum_sum_d1 <= add_f32_ftz_unit_copy23_y;
-            last_sum_sum_d2 <= last_sum_sum_d1;
-            last_sum_sum_d1_copy2 <= last_sum_sum;
-            first_difference_sum_d1 <= add_f32_ftz_unit_copy24_y;
-            first_difference_sum_d2 <= first_difference_sum_d1;
-            first_difference_lesser_d1 <= min_f32_ftz_unit_copy5_y;
-            last_difference_sum_d1 <= add_f32_ftz_unit_copy25_y;
-            last_difference_sum_d2 <= last_difference_sum_d1;
-            center_x_fixed_d1 <= to_fixed_f32_ftz_s22q8_unit_y;
-            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
-            whole_and_first_sum_both_d2 <= whole_and_first_sum_both_d1;
-            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
-            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
-            first_difference_difference_d1 <= first_difference_difference_copy2;
-            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
-            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
-            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
-            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
-            first_sum_up_to_last_sum_d2 <= first_sum_up_to_last_sum_d1;
-            visible_in_order_d1 <= visible_in_order;
-            first_sum_out_d1 <= first_sum[9:0];
-            first_sum_out_d2 <= first_sum_out_d1;
-            last_sum_out_d1 <= last_sum[9:0];
-            last_sum_out_d2 <= last_sum_out_d1;
-            first_difference_out_d1 <= first_difference[9:0];
-            last_difference_out_d1 <= last_difference[9:0];
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            middle_depth_minus_epsilon_d1 <= add_f32_ftz_unit_copy26_y;
-            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy27_y;
-            depth_high_out_greater_d1 <= max_f32_ftz_unit_copy8_y;
         end
-        if (load_1) begin
+        if (phases_2[1]) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
-            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
-            first_x_in_order_d1 <= first_x_in_order;
             first_x_inverted_d1 <= first_x_inverted;
             first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
             first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
-            first_x_greater_bits_d1_copy2 <= max_f32_ftz_unit_y[22:0];
+        end
+        if (phases_3[1]) begin
+            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
             first_x_greater_sign_d1 <= max_f32_ftz_unit_y[31];
-            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
-            first_y_greater_bits_d1 <= first_y_greater_bits_d1_bits;
-            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
             first_y_in_order_d1 <= first_y_in_order;
             first_y_inverted_d1 <= first_y_inverted;
             first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
             first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
-            first_y_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy2_y[22:0];
-            first_y_greater_sign_d1 <= max_f32_ftz_unit_copy2_y[31];
+        end
+        if (phases_1[1]) first_x_in_order_d1 <= first_x_in_order;
+        if (phases_1[0]) begin
+            first_x_both_d1 <= first_x_both_copy3;
+            first_x_either_d1 <= first_x_either;
+            first_y_both_d1 <= first_y_both_copy3;
+            first_y_either_d1 <= first_y_either;
+        end
+        if (phases_4[1]) first_x_greater_bits_d1_copy2 <= max_f32_ftz_unit_y[22:0];
+        if (phases_10[1]) begin
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
             first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
-            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
-            reaches_near_sum_d1 <= reaches_near_sum;
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            lowered_chosen_bits_d2 <= lowered_chosen_bits_d1_copy2;
+            lowered_chosen_bits_d3 <= lowered_chosen_bits_d2;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+            a_y_inverted_d3 <= a_y_inverted_d2;
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+        end
+        if (phases_5[1]) begin
+            first_y_greater_bits_d1 <= first_y_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
+            first_y_greater_sign_d1 <= max_f32_ftz_unit_copy2_y[31];
             zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
             not_reaches_near_same_d1 <= not_reaches_near_same;
             reaches_near_same_d1 <= reaches_near_same_copy2;
+        end
+        if (phases_8[1]) begin
+            first_y_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy2_y[22:0];
+            a_x_inverted_d3 <= a_x_inverted_d2;
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_y_inverted_d1 <= a_y_inverted;
+        end
+        if (phases_6[1]) begin
+            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
             reaches_near_in_order_d1 <= reaches_near_in_order;
-            reaches_near_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy3_y[22:0];
             reaches_near_greater_sign_d1 <= max_f32_ftz_unit_copy3_y[31];
-            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
             swapped_d1 <= lt_f32_ftz_unit_copy2_y;
             swapped_d2 <= swapped_d1;
             turned_in_order_d1 <= turned_in_order;
             turned_either_d1 <= turned_either;
             turned_either_d2 <= turned_either_d1;
+            a_x_inverted_d1 <= a_x_inverted;
+            a_x_inverted_d2 <= a_x_inverted_d1;
+        end
+        if (phases_7[1]) begin
+            reaches_near_sum_d1 <= reaches_near_sum;
             lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_bits_d1};
-            lowered_chosen_bits_d2 <= lowered_chosen_bits_d1_copy2;
-            lowered_chosen_bits_d3 <= lowered_chosen_bits_d2;
+        end
+        if (phases_2[0]) begin
+            reaches_near_both_d1 <= reaches_near_both_copy3;
+            reaches_near_either_d1 <= reaches_near_either;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
+        end
+        if (phases_9[1]) begin
+            reaches_near_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy3_y[22:0];
+            a_y_inverted_d2 <= a_y_inverted_d1;
+        end
+        if (phases_6[0]) begin
+            turned_greater_d1 <= turned_greater;
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[31];
+            lowered_chosen_sign_d2_copy2 <= lowered_chosen_sign_d1_copy2;
+            lowered_chosen_sign_d3_copy2 <= lowered_chosen_sign_d2_copy2;
+            lowered_chosen_sign_d4_copy2 <= lowered_chosen_sign_d3_copy2;
+            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
+        end
+        if (phases_7[0]) begin
+            center_z_bits_plus_10_d1 <= center_z_bits_plus_10;
+            lowered_chosen_bits_d1 <= lowered_chosen_copy6[30:23];
+            lowered_chosen_bits_d1_copy3 <= lowered_chosen_copy7[30:23];
+        end
+        if (phases_11[1]) begin
             lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_bits_d1_copy3};
             lowered_chosen_bits_d2_copy2 <= lowered_chosen_bits_d1_copy4;
             lowered_chosen_bits_d3_copy2 <= lowered_chosen_bits_d2_copy2;
@@ -8063,6 +9864,28 @@ module splat_setup (
             lowered_chosen_bits_d2_copy4 <= lowered_chosen_bits_d1_copy8;
             lowered_chosen_bits_d3_copy4 <= lowered_chosen_bits_d2_copy4;
             lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            alpha_inverted_d1 <= alpha_inverted;
+            alpha_inverted_d2 <= alpha_inverted_d1;
+            alpha_inverted_d3 <= alpha_inverted_d2;
+            alpha_both_d1 <= alpha_both;
+            b_x_inverted_d1 <= b_x_inverted;
+            b_x_inverted_d2 <= b_x_inverted_d1;
+            b_x_inverted_d3 <= b_x_inverted_d2;
+        end
+        if (phases_8[0]) begin
+            lowered_chosen_bits_d1_copy5 <= lowered_chosen_copy8[30:23];
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy9[30:23];
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[31];
+        end
+        if (phases_9[0]) begin
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy10[30:23];
+            lowered_greater_d1_copy4 <= lowered_greater_copy4;
+            lowered_chosen_sign_d2_copy3 <= lowered_chosen_sign_d1_copy3;
+            lowered_chosen_sign_d3_copy3 <= lowered_chosen_sign_d2_copy3;
+            lowered_chosen_sign_d4_copy3 <= lowered_chosen_sign_d3_copy3;
+        end
+        if (phases_12[1]) begin
             lowered_chosen_bits_d1_copy10 <= {3'd0, lowered_chosen_bits_d1_copy9};
             lowered_chosen_bits_d2_copy5 <= lowered_chosen_bits_d1_copy10;
             lowered_chosen_bits_d3_copy5 <= lowered_chosen_bits_d2_copy5;
@@ -8070,24 +9893,8 @@ module splat_setup (
             lowered_chosen_bits_d2_copy6 <= lowered_chosen_bits_d1_copy12;
             lowered_chosen_bits_d3_copy6 <= lowered_chosen_bits_d2_copy6;
             lowered_greater_d1_copy5 <= lowered_greater_copy5;
-            a_x_inverted_d1 <= a_x_inverted;
-            a_x_inverted_d2 <= a_x_inverted_d1;
-            a_x_inverted_d3 <= a_x_inverted_d2;
-            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
-            a_x_chosen_d1 <= a_x_chosen[7:0];
-            a_y_inverted_d1 <= a_y_inverted;
-            a_y_inverted_d2 <= a_y_inverted_d1;
-            a_y_inverted_d3 <= a_y_inverted_d2;
-            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
             a_y_chosen_d1 <= a_y_chosen[7:0];
-            alpha_inverted_d1 <= alpha_inverted;
-            alpha_inverted_d2 <= alpha_inverted_d1;
-            alpha_inverted_d3 <= alpha_inverted_d2;
-            alpha_both_d1 <= alpha_both;
             alpha_chosen_d1 <= alpha_chosen[7:0];
-            b_x_inverted_d1 <= b_x_inverted;
-            b_x_inverted_d2 <= b_x_inverted_d1;
-            b_x_inverted_d3 <= b_x_inverted_d2;
             b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
             b_x_chosen_d1 <= b_x_chosen[7:0];
             b_y_inverted_d1 <= b_y_inverted;
@@ -8102,51 +9909,234 @@ module splat_setup (
             beta_chosen_d1 <= beta_chosen[7:0];
             beyond_near_and_not_turned_d15 <= beyond_near_and_not_turned_d14;
             beyond_near_and_not_turned_d16 <= beyond_near_and_not_turned_d15;
+        end
+        if (phases_10[0]) begin
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy11[30:23];
+            lowered_chosen_bits_d1_copy13 <= lowered_chosen_copy5[30:23];
+            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
+        end
+        if (phases_12[0]) begin
+            lowered_chosen_bits_plus_60_d2 <= lowered_chosen_bits_plus_60_d1;
+            lowered_chosen_sign_d3_copy4 <= lowered_chosen_sign_d2_copy4;
+            lowered_chosen_sign_d4_copy4 <= lowered_chosen_sign_d3_copy4;
+        end
+        if (phases_14[0]) begin
+            lowered_chosen_bits_d1_copy14 <= lowered_chosen_copy6[22:0];
+            lowered_chosen_sign_d3_copy5 <= lowered_chosen_sign_d2_copy5;
+        end
+        if (phases_15[0]) begin
+            lowered_chosen_bits_d2_copy7 <= lowered_chosen_bits_d1_copy14;
+            lowered_chosen_sign_d4_copy5 <= lowered_chosen_sign_d3_copy5;
+            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
+        end
+        if (phases_3[0]) begin
+            lowered_chosen_sign_d1 <= lowered_chosen_copy6[31];
+            lowered_chosen_sign_d2 <= lowered_chosen_sign_d1;
+        end
+        if (phases_4[0]) begin
+            lowered_chosen_sign_d3 <= lowered_chosen_sign_d2;
+            lowered_chosen_sign_d4 <= lowered_chosen_sign_d3;
+        end
+        if (phases_5[0]) lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
+        if (phases_23[0]) begin
+            lowered_chosen_bits_d3_copy8 <= lowered_chosen_bits_d2_copy8;
+            lowered_chosen_bits_d4_copy2 <= lowered_chosen_bits_d3_copy8;
+            lowered_chosen_bits_d1_copy16 <= lowered_chosen_copy8[22:0];
+            lowered_chosen_bits_d2_copy9 <= lowered_chosen_bits_d1_copy16;
+            lowered_chosen_bits_d3_copy9 <= lowered_chosen_bits_d2_copy9;
+            not_turned_d1 <= not_turned;
+            whole_d1 <= whole;
+            first_x_in_order_d1_copy3 <= lt_f32_ftz_unit_copy3_y;
+            unit_delta_both_d1 <= unit_delta_both;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+        end
+        if (phases_24[0]) begin
+            lowered_chosen_bits_d4_copy3 <= lowered_chosen_bits_d3_copy9;
+            lowered_chosen_bits_d1_copy17 <= lowered_chosen_copy9[22:0];
+            lowered_chosen_bits_d2_copy10 <= lowered_chosen_bits_d1_copy17;
+            lowered_chosen_bits_d3_copy10 <= lowered_chosen_bits_d2_copy10;
+            lowered_chosen_bits_d4_copy4 <= lowered_chosen_bits_d3_copy10;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            mx_both_d1 <= mx_both;
+            mx_both_d1_copy2 <= mx_both_copy2;
+            ax_out_both_d1 <= ax_out_both;
+        end
+        if (phases_25[0]) begin
+            lowered_chosen_bits_d1_copy18 <= lowered_chosen_copy10[22:0];
+            lowered_chosen_bits_d2_copy11 <= lowered_chosen_bits_d1_copy18;
+            lowered_chosen_bits_d3_copy11 <= lowered_chosen_bits_d2_copy11;
+            lowered_chosen_bits_d4_copy5 <= lowered_chosen_bits_d3_copy11;
+            lowered_chosen_bits_d1_copy19 <= lowered_chosen_copy11[22:0];
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            ay_out_both_d1 <= ay_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            by_out_both_d1 <= by_out_both;
+            delta_both_d1 <= delta_both;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+        end
+        if (phases_26[0]) begin
+            lowered_chosen_bits_d2_copy12 <= lowered_chosen_bits_d1_copy19;
+            lowered_chosen_bits_d3_copy12 <= lowered_chosen_bits_d2_copy12;
+            lowered_chosen_bits_d4_copy6 <= lowered_chosen_bits_d3_copy12;
+            alpha_d12 <= alpha_d11;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy14_y[31];
+            mx_bits_d2 <= mx_bits_d1_copy3;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_both_d1 <= my_both;
+        end
+        if (phases_13[1]) begin
             beyond_near_and_not_turned_d17 <= beyond_near_and_not_turned_d16;
             beyond_near_and_not_turned_d18 <= beyond_near_and_not_turned_d17;
             reaches_near_sum_d1_copy2 <= add_f32_ftz_unit_y;
             e_d1 <= add_f32_ftz_unit_copy2_y;
             e_d2 <= e_d1;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_sign_d1 <= mul_f32_ftz_unit_copy7_y[31];
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_sign_d1 <= mul_f32_ftz_unit_copy15_y[31];
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+        end
+        if (phases_27[0]) begin
+            alpha_d13 <= alpha_d12;
+            beta_d12 <= beta_d11;
+            beta_d13 <= beta_d12;
+            spread_half_d1 <= mul_f32_ftz_unit_copy5_y;
+        end
+        if (phases_14[1]) begin
             spread_middle_d1 <= add_f32_ftz_unit_copy4_y;
             spread_middle_d2 <= spread_middle_d1;
             spread_middle_d3 <= spread_middle_d2;
             spread_middle_d4 <= spread_middle_d3;
+        end
+        if (phases_15[1]) begin
             spread_middle_d5 <= spread_middle_d4;
             before_far_sum_d1 <= add_f32_ftz_unit_copy5_y;
             before_far_joined_d1 <= {mul_f32_ftz_unit_copy5_y[31], before_far_chosen};
             h_x_product_d1 <= mul_f32_ftz_unit_copy12_y;
+        end
+        if (phases_28[0]) begin
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
+            spread_half_d4 <= spread_half_d3;
+            a_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy8_y;
+        end
+        if (phases_29[0]) begin
+            a_x_joined_times_r_d2 <= a_x_joined_times_r_d1;
+            a_x_joined_times_r_d3 <= a_x_joined_times_r_d2;
+            a_x_joined_times_r_d4 <= a_x_joined_times_r_d3;
+            b_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy9_y;
+        end
+        if (phases_30[0]) begin
+            b_x_joined_times_r_d2 <= b_x_joined_times_r_d1;
+            b_x_joined_times_r_d3 <= b_x_joined_times_r_d2;
+            b_x_joined_times_r_d4 <= b_x_joined_times_r_d3;
+            first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy15_y[31], first_x_chosen_copy6};
+        end
+        if (phases_16[1]) begin
             h_x_product_d2 <= h_x_product_d1;
             h_x_product_d3 <= h_x_product_d2;
             h_x_product_d4 <= h_x_product_d3;
             center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy13_y;
+        end
+        if (phases_17[1]) begin
             center_x_minus_first_x_joined_d2 <= center_x_minus_first_x_joined_d1;
             center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy14_y;
             center_x_plus_first_x_joined_d2 <= center_x_plus_first_x_joined_d1;
             first_x_chosen_d1 <= first_x_chosen_copy9;
+        end
+        if (phases_18[1]) begin
             first_x_chosen_d2 <= first_x_chosen_d1;
             last_x_chosen_d1 <= last_x_chosen_copy3;
             last_x_chosen_d2 <= last_x_chosen_d1;
-            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
             first_x_shifted_d2 <= first_x_shifted_d1;
+            b_x_sign_d1 <= mul_f32_ftz_unit_copy9_y[31];
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_sign_d1 <= mul_f32_ftz_unit_copy17_y[31];
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
+            not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
+        end
+        if (phases_19[1]) begin
             first_x_shifted_d3 <= first_x_shifted_d2;
             last_x_lesser_d1 <= last_x_lesser;
             h_y_product_d1 <= mul_f32_ftz_unit_copy20_y;
             h_y_product_d2 <= h_y_product_d1;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= add_f32_ftz_unit_copy26_y[31];
+            unit_delta_sign_d2 <= unit_delta_sign_d1;
+            unit_delta_sign_d3 <= unit_delta_sign_d2;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            doubtful_in_order_d1 <= doubtful_in_order;
+        end
+        if (phases_31[0]) begin
+            a_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy17_y;
+            a_y_joined_times_r_d2 <= a_y_joined_times_r_d1;
+            a_y_joined_times_r_d3 <= a_y_joined_times_r_d2;
+            a_y_joined_times_r_d4 <= a_y_joined_times_r_d3;
+        end
+        if (phases_32[0]) begin
+            b_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy18_y;
+            b_y_joined_times_r_d2 <= b_y_joined_times_r_d1;
+            b_y_joined_times_r_d3 <= b_y_joined_times_r_d2;
+            b_y_joined_times_r_d4 <= b_y_joined_times_r_d3;
+        end
+        if (phases_33[0]) begin
+            center_y_d1_copy2 <= add_f32_ftz_unit_copy11_y;
+            first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy24_y[31], first_y_chosen_copy6};
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy10;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            my_bits_d1_copy3 <= add_f32_ftz_unit_copy15_y[31];
+            my_bits_d2 <= my_bits_d1_copy3;
+        end
+        if (phases_20[1]) begin
             h_y_product_d3 <= h_y_product_d2;
             h_y_product_d4 <= h_y_product_d3;
             center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy22_y;
             center_y_minus_first_y_joined_d2 <= center_y_minus_first_y_joined_d1;
+        end
+        if (phases_21[1]) begin
             center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy23_y;
             center_y_plus_first_y_joined_d2 <= center_y_plus_first_y_joined_d1;
             first_y_chosen_d1 <= first_y_chosen_copy9;
             first_y_chosen_d2 <= first_y_chosen_d1;
+        end
+        if (phases_22[1]) begin
             last_y_chosen_d1 <= last_y_chosen_copy3;
             last_y_chosen_d2 <= last_y_chosen_d1;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
             a_x_bits_d11 <= a_x_bits_d10;
             a_y_bits_d1 <= a_y_bits_d1_bits;
             a_y_bits_d11 <= a_y_bits_d10;
+            visible_both_d1 <= visible_both_copy3;
+        end
+        if (phases_34[0]) begin
+            first_y_shifted_d2 <= first_y_shifted_d1;
+            first_y_shifted_d3 <= first_y_shifted_d2;
+            last_y_greater_d1 <= max_f32_ftz_unit_copy5_y;
+            last_y_lesser_d1 <= last_y_lesser;
+            beta_bits_d12 <= beta_bits_d11;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            mx_chosen_d1 <= mx_chosen[7:0];
+        end
+        if (phases_23[1]) begin
             a_exponent_d1 <= a_exponent;
             b_x_bits_d1 <= b_x_bits_d1_bits;
             b_x_bits_d11 <= b_x_bits_d10;
@@ -8154,494 +10144,628 @@ module splat_setup (
             b_y_bits_d11 <= b_y_bits_d10;
             b_exponent_d1 <= b_exponent;
             a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
-            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
             a_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy7_y[22:0];
-            a_x_sign_d1 <= mul_f32_ftz_unit_copy7_y[31];
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+        end
+        if (phases_24[1]) begin
             unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
             unit_delta_joined_d2 <= unit_delta_joined_d1;
-            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
             a_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy15_y[22:0];
-            a_y_sign_d1 <= mul_f32_ftz_unit_copy15_y[31];
             unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
-            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+        end
+        if (phases_25[1]) begin
             b_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy9_y[22:0];
-            b_x_sign_d1 <= mul_f32_ftz_unit_copy9_y[31];
             unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
             unit_delta_joined_d2_copy2 <= unit_delta_joined_d1_copy3;
             b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
-            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
             b_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy17_y[22:0];
-            b_y_sign_d1 <= mul_f32_ftz_unit_copy17_y[31];
+        end
+        if (phases_26[1]) begin
             unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
             unit_delta_joined_d2_copy3 <= unit_delta_joined_d1_copy4;
             m_exponent_d1 <= m_exponent;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
             mx_joined_d1 <= mx_joined_d1_bits;
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            mx_joined_d1_copy2 <= {alpha_d13[31], mx_chosen_copy4};
             unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+        end
+        if (phases_35[0]) begin
+            alpha_bits_d12 <= alpha_bits_d11;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            mx_product_d1 <= mul_f32_ftz_unit_copy27_y;
+            largest_sum_d9 <= largest_sum_d8;
+            largest_greater_d1 <= largest_greater;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+        end
+        if (phases_27[1]) begin
+            mx_joined_d1_copy2 <= {alpha_d13[31], mx_chosen_copy4};
             unit_delta_bits_d2 <= unit_delta_bits_d1;
             unit_delta_bits_d3 <= unit_delta_bits_d2;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
             largest_sum_minus_100_d1 <= largest_sum_minus_100;
             largest_greater_d1_copy2 <= largest_greater_copy2;
             largest_sum_plus_127_d1 <= largest_sum_plus_127;
             largest_d1 <= largest;
+            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy26_y[22:0];
+        end
+        if (phases_36[0]) begin
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            ax_out_chosen_d1 <= ax_out_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            ay_out_chosen_d1 <= ay_out_chosen[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            bx_out_chosen_d1 <= bx_out_chosen[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            by_out_chosen_d1 <= by_out_chosen[7:0];
+            delta_sum_d1 <= delta_sum;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_bits_d1 <= mx_bits_d1_bits;
+            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
+        end
+        if (phases_28[1]) begin
             ax_out_joined_d1 <= {a_x_sign_d11, ax_out_chosen_copy2};
             ay_out_joined_d1 <= {a_y_sign_d11, ay_out_chosen_copy2};
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
-            not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy26_y[22:0];
             unit_delta_bits_d2_copy2 <= unit_delta_bits_d1_copy2;
             unit_delta_bits_d3_copy2 <= unit_delta_bits_d2_copy2;
-            unit_delta_sign_d1 <= add_f32_ftz_unit_copy26_y[31];
-            unit_delta_sign_d2 <= unit_delta_sign_d1;
-            unit_delta_sign_d3 <= unit_delta_sign_d2;
+        end
+        if (phases_29[1]) begin
             delta_d1 <= delta;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            doubtful_in_order_d1 <= doubtful_in_order;
             f_times_first_sum_sum_d1 <= mul_f32_ftz_unit_copy26_y;
             f_times_first_sum_sum_d2 <= f_times_first_sum_sum_d1;
             f_times_first_sum_sum_d3 <= f_times_first_sum_sum_d2;
+        end
+        if (phases_37[0]) begin
+            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy14_y[22:0];
+            mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_bits_d1_copy2};
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            my_bits_d1_copy2 <= add_f32_ftz_unit_copy15_y[22:0];
+            edge_on_lesser_d1 <= edge_on_lesser;
+            unit_delta_product_bits_d1 <= mul_f32_ftz_unit_copy25_y[30:23];
+            unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
+            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
+            whole_and_first_sum_both_d2 <= whole_and_first_sum_both_d1;
+        end
+        if (phases_38[0]) begin
+            my_joined_d1 <= {my_chosen[7:0], my_bits_d1_copy2};
+            unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
+            unit_delta_product_bits_d4 <= unit_delta_product_bits_d3;
+            first_sum_sum_d1 <= add_f32_ftz_unit_copy17_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            first_sum_up_to_last_sum_d2 <= first_sum_up_to_last_sum_d1;
+            visible_in_order_d1 <= visible_in_order;
+            first_sum_out_d1 <= first_sum[9:0];
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+        end
+        if (phases_30[1]) begin
             f_times_first_sum_sum_d4 <= f_times_first_sum_sum_d3;
             first_sum_product_d1 <= mul_f32_ftz_unit_copy27_y;
             first_difference_sum_d1_copy2 <= first_difference_sum;
             last_difference_chosen_d1 <= last_difference_chosen;
+        end
+        if (phases_39[0]) begin
+            first_sum_sum_d3 <= first_sum_sum_d2;
+            first_sum_sum_d4 <= first_sum_sum_d3;
+            first_sum_sum_d1_copy2 <= add_f32_ftz_unit_copy22_y;
+            first_sum_sum_d2_copy2 <= first_sum_sum_d1_copy2;
+        end
+        if (phases_40[0]) begin
+            first_sum_sum_d1_copy3 <= first_sum_sum;
+            last_sum_sum_d1 <= add_f32_ftz_unit_copy23_y;
+            last_sum_sum_d2 <= last_sum_sum_d1;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_sum_out_d2 <= first_sum_out_d1;
+        end
+        if (phases_41[0]) begin
+            first_difference_sum_d1 <= add_f32_ftz_unit_copy24_y;
+            first_difference_sum_d2 <= first_difference_sum_d1;
+            first_difference_lesser_d1 <= min_f32_ftz_unit_copy5_y;
+            last_difference_sum_d1 <= add_f32_ftz_unit_copy25_y;
+        end
+        if (phases_42[0]) begin
+            last_difference_sum_d2 <= last_difference_sum_d1;
+            center_x_fixed_d1 <= to_fixed_f32_ftz_s22q8_unit_y;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            last_sum_out_d1 <= last_sum[9:0];
+            last_sum_out_d2 <= last_sum_out_d1;
+        end
+        if (phases_31[1]) begin
             last_difference_sum_d1_copy2 <= last_difference_sum;
             first_sum_difference_d1 <= first_sum_difference;
             last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
             first_sum_greater_d1 <= first_sum_greater;
+        end
+        if (phases_32[1]) begin
             last_sum_lesser_d1 <= last_sum_lesser;
             first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
             last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
             first_difference_greater_d1 <= first_difference_greater;
+        end
+        if (phases_43[0]) begin
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_out_d1 <= first_difference[9:0];
+            last_difference_out_d1 <= last_difference[9:0];
+        end
+        if (phases_33[1]) begin
             last_difference_lesser_d1 <= last_difference_lesser;
-            visible_both_d1 <= visible_both_copy3;
             ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
             ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
             delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy28_y;
         end
-        if (queue_in_ready) begin
-            max_f32_ftz_unit_a <= phase ? last_x_chosen_copy3 : {1'd0, in_tangent1_x[30:0]};
-            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy16_y : {1'd0, in_tangent2_x[30:0]};
-            max_f32_ftz_unit_copy2_a <= phase ? last_y_chosen_copy3 : {1'd0, in_tangent1_y[30:0]};
-            max_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy25_y : {1'd0, in_tangent2_y[30:0]};
-            max_f32_ftz_unit_copy3_a <= phase ? 32'd0 : max_f32_ftz_unit_copy3_a_bits;
-            max_f32_ftz_unit_copy3_b <= phase ? first_y_chosen_d1_copy2 : max_f32_ftz_unit_copy3_b_bits;
-            max_f32_ftz_unit_copy4_a <= 32'd0;
-            max_f32_ftz_unit_copy4_b <= phase ? min_f32_ftz_unit_copy2_y : first_x_chosen_copy10;
-            max_f32_ftz_unit_copy5_a <= max_f32_ftz_unit_copy5_a_choice;
-            max_f32_ftz_unit_copy5_b <= phase ? min_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy22_y;
-            max_f32_ftz_unit_copy6_a <= max_f32_ftz_unit_copy5_a_choice;
-            max_f32_ftz_unit_copy6_b <= phase ? middle_depth : add_f32_ftz_unit_copy23_y;
-            max_f32_ftz_unit_copy7_a <= max_f32_ftz_unit_copy5_a_choice;
-            max_f32_ftz_unit_copy7_b <= phase ? middle_depth_minus_epsilon_d1 : add_f32_ftz_unit_copy24_y;
-            max_f32_ftz_unit_copy8_a <= max_f32_ftz_unit_copy5_a_choice;
-            max_f32_ftz_unit_copy8_b <= phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy25_y;
-            lt_f32_ftz_unit_a <= phase ? center_z_d2 : near_plane;
-            lt_f32_ftz_unit_b <= phase ? max_f32_ftz_unit_copy3_y : in_center_z;
-            lt_f32_ftz_unit_copy2_a <= phase ? 32'h39800000 : max_f32_ftz_unit_copy3_a_bits;
-            lt_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy3_b_bits;
-            lt_f32_ftz_unit_copy3_a <= phase ? 32'd0 : near_plane;
-            lt_f32_ftz_unit_copy3_b <= phase ? add_f32_ftz_unit_copy13_y : reaches_near_sum_d1_copy2;
-            lt_f32_ftz_unit_copy4_a <= phase ? add_f32_ftz_unit_copy14_y : 32'd0;
-            lt_f32_ftz_unit_copy4_b <= phase ? 32'd0 : center_y_minus_first_y_joined_d1;
-            lt_f32_ftz_unit_copy5_a <= center_y_plus_first_y_joined_d1;
-            lt_f32_ftz_unit_copy5_b <= 32'd0;
-            add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : center_z_d3;
-            add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : reaches_near_joined_d1;
-            add_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy4_y : 32'h3f800000;
-            add_f32_ftz_unit_copy2_b <= phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
-            add_f32_ftz_unit_copy3_a <= phase ? 32'h3f800000 : depth_a;
-            add_f32_ftz_unit_copy3_b <= phase ? {not_depth_a_sign, depth_a[30:0]} : mul_f32_ftz_unit_copy3_y;
-            add_f32_ftz_unit_copy4_a <= phase ? a_x_joined_times_r_d4 : delay_31_from_1_out;
-            add_f32_ftz_unit_copy4_b <= phase ? {~mul_f32_ftz_unit_copy6_y[31], mul_f32_ftz_unit_copy6_y[30:0]} : mul_f32_ftz_unit_copy4_y;
-            add_f32_ftz_unit_copy5_a <= phase ? b_x_joined_times_r_d4 : center_z_d3;
-            add_f32_ftz_unit_copy5_b <= phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]};
-            add_f32_ftz_unit_copy6_a <= phase ? origin_x : spread_middle_d1;
-            add_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy10_y : spread_half_d4;
-            add_f32_ftz_unit_copy7_a <= phase ? delay_24_from_0_out : mul_f32_ftz_unit_copy6_y;
-            add_f32_ftz_unit_copy7_b <= phase ? add_f32_ftz_unit_copy7_b_bits : epsilon_bias;
-            add_f32_ftz_unit_copy8_a <= phase ? origin_x : mul_f32_ftz_unit_copy10_y;
-            add_f32_ftz_unit_copy8_b <= phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy11_y;
-            add_f32_ftz_unit_copy9_a <= phase ? a_y_joined_times_r_d4 : mul_f32_ftz_unit_copy13_y;
-            add_f32_ftz_unit_copy9_b <= phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy14_y;
-            add_f32_ftz_unit_copy10_a <= phase ? b_y_joined_times_r_d4 : mul_f32_ftz_unit_copy12_y;
-            add_f32_ftz_unit_copy10_b <= phase ? add_f32_ftz_unit_copy10_b_bits : h_x_product_d4;
-            add_f32_ftz_unit_copy11_a <= phase ? origin_y : center_x_minus_t_x_d17;
-            add_f32_ftz_unit_copy11_b <= phase ? mul_f32_ftz_unit_copy18_y : add_f32_ftz_unit_copy11_b_bits;
-            add_f32_ftz_unit_copy12_a <= phase ? center_y_d24 : sqrt_f32_ftz_unit_copy2_y;
-            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : center_x_minus_t_x_d17;
-            add_f32_ftz_unit_copy13_a <= phase ? origin_y : center_x_d3;
-            add_f32_ftz_unit_copy13_b <= phase ? first_y_joined_d1_copy2 : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
-            add_f32_ftz_unit_copy14_a <= phase ? mx_product_d1 : center_x_d3;
-            add_f32_ftz_unit_copy14_b <= phase ? add_f32_ftz_unit_copy14_b_bits : first_x_joined_d1;
-            add_f32_ftz_unit_copy15_a <= phase ? mul_f32_ftz_unit_copy23_y : center_x_d44;
-            add_f32_ftz_unit_copy15_b <= phase ? add_f32_ftz_unit_copy15_b_bits : minus_filter_radius;
-            add_f32_ftz_unit_copy16_a <= phase ? add_f32_ftz_unit_copy10_y : filter_radius;
-            add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy19_y : center_x_d44;
-            add_f32_ftz_unit_copy17_a <= phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy19_y;
-            add_f32_ftz_unit_copy17_b <= phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy20_y;
-            add_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy25_y : mul_f32_ftz_unit_copy22_y;
-            add_f32_ftz_unit_copy18_b <= phase ? first_sum_sum_d4 : mul_f32_ftz_unit_copy23_y;
-            add_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy11_y : mul_f32_ftz_unit_copy21_y;
-            add_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy19_y : h_y_product_d4;
-            add_f32_ftz_unit_copy20_a <= phase ? mul_f32_ftz_unit_copy25_y : center_y_minus_t_y_d17;
-            add_f32_ftz_unit_copy20_b <= phase ? {~first_sum_sum_d4[31], first_sum_sum_d4[30:0]} : add_f32_ftz_unit_copy20_b_bits;
-            add_f32_ftz_unit_copy21_a <= phase ? mul_f32_ftz_unit_copy11_y : sqrt_f32_ftz_unit_copy3_y;
-            add_f32_ftz_unit_copy21_b <= phase ? add_f32_ftz_unit_copy12_b_bits : center_y_minus_t_y_d17;
-            add_f32_ftz_unit_copy22_a <= phase ? t_x_plus_t_y_d28 : center_y_d3;
-            add_f32_ftz_unit_copy22_b <= phase ? sqrt_f32_ftz_unit_y : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
-            add_f32_ftz_unit_copy23_a <= phase ? sqrt_f32_ftz_unit_y : center_y_d3;
-            add_f32_ftz_unit_copy23_b <= phase ? {~t_x_plus_t_y_d28[31], t_x_plus_t_y_d28[30:0]} : first_y_joined_d1;
-            add_f32_ftz_unit_copy24_a <= phase ? t_x_minus_t_y_d28 : minus_filter_radius;
-            add_f32_ftz_unit_copy24_b <= phase ? sqrt_f32_ftz_unit_copy2_y : center_y_d44;
-            add_f32_ftz_unit_copy25_a <= phase ? sqrt_f32_ftz_unit_copy2_y : filter_radius;
-            add_f32_ftz_unit_copy25_b <= phase ? {~t_x_minus_t_y_d28[31], t_x_minus_t_y_d28[30:0]} : center_y_d44;
-            add_f32_ftz_unit_copy26_a <= phase ? middle_depth_d7 : mul_f32_ftz_unit_copy25_y;
-            add_f32_ftz_unit_copy26_b <= phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : add_f32_ftz_unit_copy26_b_bits;
-            add_f32_ftz_unit_copy27_a <= phase ? middle_depth_d7 : mul_f32_ftz_unit_copy29_y;
-            add_f32_ftz_unit_copy27_b <= phase ? add_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy30_y;
-            add_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_y;
-            add_f32_ftz_unit_copy28_b <= f_times_first_sum_sum_d4;
-            recip_f32_ftz_unit_a <= phase ? f_chosen : lowered_chosen_copy5;
-            recip_f32_ftz_unit_copy2_a <= b_depth_d8;
-            mul_f32_ftz_unit_a <= phase ? alpha_joined_d11 : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy2_a <= phase ? beta_joined_d11 : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy2_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy3_a <= phase ? recip_f32_ftz_unit_y : delay_13_from_0_out;
-            mul_f32_ftz_unit_copy3_b <= phase ? depth_b : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy4_a <= phase ? b_depth_d31 : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy4_b <= phase ? mul_f32_ftz_unit_copy3_y : sqrt_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy5_a <= phase ? abs_b_depth_d31 : add_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy5_b <= phase ? mul_f32_ftz_unit_copy4_y : before_far_sum_d1;
-            mul_f32_ftz_unit_copy6_a <= phase ? half_depth : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy6_b <= phase ? epsilon_scale : mul_f32_ftz_unit_copy7_y;
-            mul_f32_ftz_unit_copy7_a <= phase ? v_x_chosen_d15 : scale_x;
-            mul_f32_ftz_unit_copy7_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy4_y;
-            mul_f32_ftz_unit_copy8_a <= phase ? a_x_joined_d11 : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy8_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy7_y;
-            mul_f32_ftz_unit_copy9_a <= phase ? b_x_joined_d11 : scale_x;
-            mul_f32_ftz_unit_copy9_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy5_y;
-            mul_f32_ftz_unit_copy10_a <= phase ? alpha_d11 : scale_x;
-            mul_f32_ftz_unit_copy10_b <= mul_f32_ftz_unit_copy7_y;
-            mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_a_choice;
-            mul_f32_ftz_unit_copy11_b <= phase ? mul_f32_ftz_unit_copy9_y : t_x_sum_d10;
-            mul_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy11_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy12_b <= phase ? mul_f32_ftz_unit_copy11_y : a_x_squared_plus_b_x_squared_d10;
-            mul_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy13_b <= phase ? mul_f32_ftz_unit_copy7_y : scale_x;
-            mul_f32_ftz_unit_copy14_a <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy14_b <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy16_y;
-            mul_f32_ftz_unit_copy15_a <= phase ? mul_f32_ftz_unit_copy13_y : scale_y;
-            mul_f32_ftz_unit_copy15_b <= phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy9_y;
-            mul_f32_ftz_unit_copy16_a <= phase ? v_y_chosen_d15 : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy16_b <= mul_f32_ftz_unit_copy16_b_choice;
-            mul_f32_ftz_unit_copy17_a <= phase ? a_y_joined_d11 : scale_y;
-            mul_f32_ftz_unit_copy17_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy10_y;
-            mul_f32_ftz_unit_copy18_a <= phase ? b_y_joined_d11 : scale_y;
-            mul_f32_ftz_unit_copy18_b <= mul_f32_ftz_unit_copy16_b_choice;
-            mul_f32_ftz_unit_copy19_a <= phase ? alpha_d11 : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy15_y : t_y_sum_d10;
-            mul_f32_ftz_unit_copy20_a <= mul_f32_ftz_unit_copy11_a_choice;
-            mul_f32_ftz_unit_copy20_b <= phase ? mul_f32_ftz_unit_copy17_y : a_y_squared_plus_b_y_squared_d10;
-            mul_f32_ftz_unit_copy21_a <= phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy19_y : scale_y;
-            mul_f32_ftz_unit_copy22_a <= phase ? mul_f32_ftz_unit_copy15_y : unit_delta_joined_d2_copy3;
-            mul_f32_ftz_unit_copy22_b <= phase ? mul_f32_ftz_unit_copy15_y : mx_joined_d1_copy2;
-            mul_f32_ftz_unit_copy23_a <= phase ? mul_f32_ftz_unit_copy17_y : unit_delta_joined_d2_copy2;
-            mul_f32_ftz_unit_copy23_b <= phase ? mul_f32_ftz_unit_copy17_y : mx_joined_d1_copy2;
-            mul_f32_ftz_unit_copy24_a <= phase ? mul_f32_ftz_unit_copy21_y : unit_delta_joined_d2;
-            mul_f32_ftz_unit_copy24_b <= phase ? first_y_chosen_d43 : mx_joined_d1;
-            mul_f32_ftz_unit_copy25_a <= phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : 32'h3f800008;
-            mul_f32_ftz_unit_copy25_b <= phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : add_f32_ftz_unit_copy16_y;
-            mul_f32_ftz_unit_copy26_a <= phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy26_b <= phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : first_sum_sum_d10;
-            mul_f32_ftz_unit_copy27_a <= phase ? unit_delta_joined_d1_copy2 : filter_radius;
-            mul_f32_ftz_unit_copy27_b <= phase ? mx_joined_d1_bits : 32'h3fb60000;
-            mul_f32_ftz_unit_copy28_a <= phase ? mul_f32_ftz_unit_copy11_y : delta_d1;
-            mul_f32_ftz_unit_copy28_b <= phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy29_a <= phase ? mul_f32_ftz_unit_copy7_y : delta_times_one_over_b_depth_d1;
-            mul_f32_ftz_unit_copy29_b <= phase ? mul_f32_ftz_unit_copy15_y : sight_near_out_joined;
-            mul_f32_ftz_unit_copy30_a <= phase ? mul_f32_ftz_unit_copy9_y : delay_40_from_0_out;
-            mul_f32_ftz_unit_copy30_b <= phase ? mul_f32_ftz_unit_copy17_y : delta_times_one_over_b_depth_d1;
-            sqrt_f32_ftz_unit_a <= phase ? q_d7 : add_f32_ftz_unit_copy18_y;
-            sqrt_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy10_y : add_f32_ftz_unit_copy20_y;
-            sqrt_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy19_y;
-            le_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy3_y : 32'd0;
-            le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy2_y;
-            le_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy6_y : depth_b;
-            le_f32_ftz_unit_copy2_b <= phase ? 32'h3f800000 : before_far_joined_d1;
-            min_f32_ftz_unit_a <= phase ? first_x_chosen_copy9 : 32'h3f800000;
-            min_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy15_y : {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
-            min_f32_ftz_unit_copy2_a <= phase ? first_y_chosen_copy9 : 32'h45fff800;
-            min_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy24_y : last_x_chosen_copy4;
-            min_f32_ftz_unit_copy3_a <= phase ? 32'h47000000 : 32'h45fff800;
-            min_f32_ftz_unit_copy3_b <= phase ? first_sum_chosen : last_y_chosen_copy4;
-            min_f32_ftz_unit_copy4_a <= 32'h47000000;
-            min_f32_ftz_unit_copy4_b <= phase ? last_sum_chosen : last_difference_chosen_d1;
-            min_f32_ftz_unit_copy5_a <= 32'h47000000;
-            min_f32_ftz_unit_copy5_b <= first_difference_chosen;
-            to_fixed_f32_ftz_u21q8_unit_a <= max_f32_ftz_unit_copy4_y;
-            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? last_y_greater_d1 : max_f32_ftz_unit_copy3_y;
-            to_fixed_f32_ftz_u23q8_unit_a <= phase ? first_difference_lesser_d1 : min_f32_ftz_unit_copy3_y;
-            to_fixed_f32_ftz_u23q8_unit_copy2_a <= min_f32_ftz_unit_copy4_y;
-            to_fixed_f32_ftz_s22q8_unit_a <= phase ? center_y_d1_copy2 : add_f32_ftz_unit_copy6_y;
-            to_fixed_f32_ftz_u24q24_unit_a <= phase ? depth_high_out_greater_d1 : max_f32_ftz_unit_copy6_y;
-            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy7_y;
+        if (phases_44[0]) begin
+            middle_depth_minus_epsilon_d1 <= add_f32_ftz_unit_copy26_y;
+            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy27_y;
+            depth_high_out_greater_d1 <= max_f32_ftz_unit_copy8_y;
         end
+        max_f32_ftz_unit_a <= max_f32_ftz_unit_phase ? last_x_chosen_copy3 : {1'd0, in_tangent1_x[30:0]};
+        max_f32_ftz_unit_b <= max_f32_ftz_unit_phase ? add_f32_ftz_unit_copy16_y : {1'd0, in_tangent2_x[30:0]};
+        max_f32_ftz_unit_copy2_a <= max_f32_ftz_unit_copy2_phase ? last_y_chosen_copy3 : {1'd0, in_tangent1_y[30:0]};
+        max_f32_ftz_unit_copy2_b <= max_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy25_y : {1'd0, in_tangent2_y[30:0]};
+        max_f32_ftz_unit_copy3_a <= max_f32_ftz_unit_copy3_phase ? 32'd0 : max_f32_ftz_unit_copy3_a_bits;
+        max_f32_ftz_unit_copy3_b <= max_f32_ftz_unit_copy3_phase ? first_y_chosen_d1_copy2 : max_f32_ftz_unit_copy3_b_bits;
+        max_f32_ftz_unit_copy4_a <= max_f32_ftz_unit_copy4_phase ? 32'd0 : 32'd0;
+        max_f32_ftz_unit_copy4_b <= max_f32_ftz_unit_copy4_phase ? min_f32_ftz_unit_copy2_y : first_x_chosen_copy10;
+        max_f32_ftz_unit_copy5_a <= max_f32_ftz_unit_copy5_phase ? 32'd0 : first_sum_product_d1;
+        max_f32_ftz_unit_copy5_b <= max_f32_ftz_unit_copy5_phase ? min_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy22_y;
+        max_f32_ftz_unit_copy6_a <= max_f32_ftz_unit_copy6_phase ? 32'd0 : first_sum_product_d1;
+        max_f32_ftz_unit_copy6_b <= max_f32_ftz_unit_copy6_phase ? middle_depth : add_f32_ftz_unit_copy23_y;
+        max_f32_ftz_unit_copy7_a <= max_f32_ftz_unit_copy7_phase ? 32'd0 : first_sum_product_d1;
+        max_f32_ftz_unit_copy7_b <= max_f32_ftz_unit_copy7_phase ? middle_depth_minus_epsilon_d1 : add_f32_ftz_unit_copy24_y;
+        max_f32_ftz_unit_copy8_a <= max_f32_ftz_unit_copy8_phase ? 32'd0 : first_sum_product_d1;
+        max_f32_ftz_unit_copy8_b <= max_f32_ftz_unit_copy8_phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy25_y;
+        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase ? center_z_d2 : near_plane;
+        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase ? max_f32_ftz_unit_copy3_y : in_center_z;
+        lt_f32_ftz_unit_copy2_a <= lt_f32_ftz_unit_copy2_phase ? 32'h39800000 : max_f32_ftz_unit_copy3_a_bits;
+        lt_f32_ftz_unit_copy2_b <= lt_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy3_b_bits;
+        lt_f32_ftz_unit_copy3_a <= lt_f32_ftz_unit_copy3_phase ? 32'd0 : near_plane;
+        lt_f32_ftz_unit_copy3_b <= lt_f32_ftz_unit_copy3_phase ? add_f32_ftz_unit_copy13_y : reaches_near_sum_d1_copy2;
+        lt_f32_ftz_unit_copy4_a <= lt_f32_ftz_unit_copy4_phase ? add_f32_ftz_unit_copy14_y : 32'd0;
+        lt_f32_ftz_unit_copy4_b <= lt_f32_ftz_unit_copy4_phase ? 32'd0 : center_y_minus_first_y_joined_d1;
+        lt_f32_ftz_unit_copy5_a <= center_y_plus_first_y_joined_d1;
+        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase ? mul_f32_ftz_unit_y : center_z_d3;
+        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy2_y : reaches_near_joined_d1;
+        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy4_y : 32'h3f800000;
+        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
+        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase ? 32'h3f800000 : depth_a;
+        add_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy3_phase ? {not_depth_a_sign, depth_a[30:0]} : mul_f32_ftz_unit_copy3_y;
+        add_f32_ftz_unit_copy4_a <= add_f32_ftz_unit_copy4_phase ? a_x_joined_times_r_d4 : delay_31_from_1_out;
+        add_f32_ftz_unit_copy4_b <= add_f32_ftz_unit_copy4_phase ? {~mul_f32_ftz_unit_copy6_y[31], mul_f32_ftz_unit_copy6_y[30:0]} : mul_f32_ftz_unit_copy4_y;
+        add_f32_ftz_unit_copy5_a <= add_f32_ftz_unit_copy5_phase ? b_x_joined_times_r_d4 : center_z_d3;
+        add_f32_ftz_unit_copy5_b <= add_f32_ftz_unit_copy5_phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]};
+        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase ? origin_x : spread_middle_d1;
+        add_f32_ftz_unit_copy6_b <= add_f32_ftz_unit_copy6_phase ? mul_f32_ftz_unit_copy10_y : spread_half_d4;
+        add_f32_ftz_unit_copy7_a <= add_f32_ftz_unit_copy7_phase ? delay_24_from_0_out : mul_f32_ftz_unit_copy6_y;
+        add_f32_ftz_unit_copy7_b <= add_f32_ftz_unit_copy7_phase ? add_f32_ftz_unit_copy7_b_bits : epsilon_bias;
+        add_f32_ftz_unit_copy8_a <= add_f32_ftz_unit_copy8_phase ? origin_x : mul_f32_ftz_unit_copy10_y;
+        add_f32_ftz_unit_copy8_b <= add_f32_ftz_unit_copy8_phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy11_y;
+        add_f32_ftz_unit_copy9_a <= add_f32_ftz_unit_copy9_phase ? a_y_joined_times_r_d4 : mul_f32_ftz_unit_copy13_y;
+        add_f32_ftz_unit_copy9_b <= add_f32_ftz_unit_copy9_phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy14_y;
+        add_f32_ftz_unit_copy10_a <= add_f32_ftz_unit_copy10_phase ? b_y_joined_times_r_d4 : mul_f32_ftz_unit_copy12_y;
+        add_f32_ftz_unit_copy10_b <= add_f32_ftz_unit_copy10_phase ? add_f32_ftz_unit_copy10_b_bits : h_x_product_d4;
+        add_f32_ftz_unit_copy11_a <= add_f32_ftz_unit_copy11_phase ? origin_y : center_x_minus_t_x_d17;
+        add_f32_ftz_unit_copy11_b <= add_f32_ftz_unit_copy11_phase ? mul_f32_ftz_unit_copy18_y : add_f32_ftz_unit_copy11_b_bits;
+        add_f32_ftz_unit_copy12_a <= add_f32_ftz_unit_copy12_phase ? center_y_d24 : sqrt_f32_ftz_unit_copy2_y;
+        add_f32_ftz_unit_copy12_b <= add_f32_ftz_unit_copy12_phase ? add_f32_ftz_unit_copy12_b_bits : center_x_minus_t_x_d17;
+        add_f32_ftz_unit_copy13_a <= add_f32_ftz_unit_copy13_phase ? origin_y : center_x_d3;
+        add_f32_ftz_unit_copy13_b <= add_f32_ftz_unit_copy13_phase ? first_y_joined_d1_copy2 : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
+        add_f32_ftz_unit_copy14_a <= add_f32_ftz_unit_copy14_phase ? mx_product_d1 : center_x_d3;
+        add_f32_ftz_unit_copy14_b <= add_f32_ftz_unit_copy14_phase ? add_f32_ftz_unit_copy14_b_bits : first_x_joined_d1;
+        add_f32_ftz_unit_copy15_a <= add_f32_ftz_unit_copy15_phase ? mul_f32_ftz_unit_copy23_y : center_x_d44;
+        add_f32_ftz_unit_copy15_b <= add_f32_ftz_unit_copy15_phase ? add_f32_ftz_unit_copy15_b_bits : minus_filter_radius;
+        add_f32_ftz_unit_copy16_a <= add_f32_ftz_unit_copy16_phase ? add_f32_ftz_unit_copy10_y : filter_radius;
+        add_f32_ftz_unit_copy16_b <= add_f32_ftz_unit_copy16_phase ? add_f32_ftz_unit_copy19_y : center_x_d44;
+        add_f32_ftz_unit_copy17_a <= add_f32_ftz_unit_copy17_phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy19_y;
+        add_f32_ftz_unit_copy17_b <= add_f32_ftz_unit_copy17_phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy20_y;
+        add_f32_ftz_unit_copy18_a <= add_f32_ftz_unit_copy18_phase ? mul_f32_ftz_unit_copy25_y : mul_f32_ftz_unit_copy22_y;
+        add_f32_ftz_unit_copy18_b <= add_f32_ftz_unit_copy18_phase ? first_sum_sum_d4 : mul_f32_ftz_unit_copy23_y;
+        add_f32_ftz_unit_copy19_a <= add_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy11_y : mul_f32_ftz_unit_copy21_y;
+        add_f32_ftz_unit_copy19_b <= add_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy19_y : h_y_product_d4;
+        add_f32_ftz_unit_copy20_a <= add_f32_ftz_unit_copy20_phase ? mul_f32_ftz_unit_copy25_y : center_y_minus_t_y_d17;
+        add_f32_ftz_unit_copy20_b <= add_f32_ftz_unit_copy20_phase ? {~first_sum_sum_d4[31], first_sum_sum_d4[30:0]} : add_f32_ftz_unit_copy20_b_bits;
+        add_f32_ftz_unit_copy21_a <= add_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy11_y : sqrt_f32_ftz_unit_copy3_y;
+        add_f32_ftz_unit_copy21_b <= add_f32_ftz_unit_copy21_phase ? add_f32_ftz_unit_copy12_b_bits : center_y_minus_t_y_d17;
+        add_f32_ftz_unit_copy22_a <= add_f32_ftz_unit_copy22_phase ? t_x_plus_t_y_d28 : center_y_d3;
+        add_f32_ftz_unit_copy22_b <= add_f32_ftz_unit_copy22_phase ? sqrt_f32_ftz_unit_y : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
+        add_f32_ftz_unit_copy23_a <= add_f32_ftz_unit_copy23_phase ? sqrt_f32_ftz_unit_y : center_y_d3;
+        add_f32_ftz_unit_copy23_b <= add_f32_ftz_unit_copy23_phase ? {~t_x_plus_t_y_d28[31], t_x_plus_t_y_d28[30:0]} : first_y_joined_d1;
+        add_f32_ftz_unit_copy24_a <= add_f32_ftz_unit_copy24_phase ? t_x_minus_t_y_d28 : minus_filter_radius;
+        add_f32_ftz_unit_copy24_b <= add_f32_ftz_unit_copy24_phase ? sqrt_f32_ftz_unit_copy2_y : center_y_d44;
+        add_f32_ftz_unit_copy25_a <= add_f32_ftz_unit_copy25_phase ? sqrt_f32_ftz_unit_copy2_y : filter_radius;
+        add_f32_ftz_unit_copy25_b <= add_f32_ftz_unit_copy25_phase ? {~t_x_minus_t_y_d28[31], t_x_minus_t_y_d28[30:0]} : center_y_d44;
+        add_f32_ftz_unit_copy26_a <= add_f32_ftz_unit_copy26_phase ? middle_depth_d7 : mul_f32_ftz_unit_copy25_y;
+        add_f32_ftz_unit_copy26_b <= add_f32_ftz_unit_copy26_phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : add_f32_ftz_unit_copy26_b_bits;
+        add_f32_ftz_unit_copy27_a <= add_f32_ftz_unit_copy27_phase ? middle_depth_d7 : mul_f32_ftz_unit_copy29_y;
+        add_f32_ftz_unit_copy27_b <= add_f32_ftz_unit_copy27_phase ? add_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy30_y;
+        add_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_y;
+        add_f32_ftz_unit_copy28_b <= f_times_first_sum_sum_d4;
+        recip_f32_ftz_unit_a <= recip_f32_ftz_unit_phase ? f_chosen : lowered_chosen_copy5;
+        recip_f32_ftz_unit_copy2_a <= b_depth_d8;
+        mul_f32_ftz_unit_a <= mul_f32_ftz_unit_phase ? alpha_joined_d11 : mul_f32_ftz_unit_y;
+        mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase ? beta_joined_d11 : mul_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase ? recip_f32_ftz_unit_y : delay_13_from_0_out;
+        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase ? depth_b : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy4_a <= mul_f32_ftz_unit_copy4_phase ? b_depth_d31 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy4_b <= mul_f32_ftz_unit_copy4_phase ? mul_f32_ftz_unit_copy3_y : sqrt_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy5_a <= mul_f32_ftz_unit_copy5_phase ? abs_b_depth_d31 : add_f32_ftz_unit_copy3_y;
+        mul_f32_ftz_unit_copy5_b <= mul_f32_ftz_unit_copy5_phase ? mul_f32_ftz_unit_copy4_y : before_far_sum_d1;
+        mul_f32_ftz_unit_copy6_a <= mul_f32_ftz_unit_copy6_phase ? half_depth : mul_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy6_b <= mul_f32_ftz_unit_copy6_phase ? epsilon_scale : mul_f32_ftz_unit_copy7_y;
+        mul_f32_ftz_unit_copy7_a <= mul_f32_ftz_unit_copy7_phase ? v_x_chosen_d15 : scale_x;
+        mul_f32_ftz_unit_copy7_b <= mul_f32_ftz_unit_copy7_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy4_y;
+        mul_f32_ftz_unit_copy8_a <= mul_f32_ftz_unit_copy8_phase ? a_x_joined_d11 : mul_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy8_b <= mul_f32_ftz_unit_copy8_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy7_y;
+        mul_f32_ftz_unit_copy9_a <= mul_f32_ftz_unit_copy9_phase ? b_x_joined_d11 : scale_x;
+        mul_f32_ftz_unit_copy9_b <= mul_f32_ftz_unit_copy9_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy5_y;
+        mul_f32_ftz_unit_copy10_a <= mul_f32_ftz_unit_copy10_phase ? alpha_d11 : scale_x;
+        mul_f32_ftz_unit_copy10_b <= mul_f32_ftz_unit_copy7_y;
+        mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_phase ? beta_d11 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy11_b <= mul_f32_ftz_unit_copy11_phase ? mul_f32_ftz_unit_copy9_y : t_x_sum_d10;
+        mul_f32_ftz_unit_copy12_a <= mul_f32_ftz_unit_copy12_phase ? mul_f32_ftz_unit_copy11_y : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy12_b <= mul_f32_ftz_unit_copy12_phase ? mul_f32_ftz_unit_copy11_y : a_x_squared_plus_b_x_squared_d10;
+        mul_f32_ftz_unit_copy13_a <= mul_f32_ftz_unit_copy13_phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy13_b <= mul_f32_ftz_unit_copy13_phase ? mul_f32_ftz_unit_copy7_y : scale_x;
+        mul_f32_ftz_unit_copy14_a <= mul_f32_ftz_unit_copy14_phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy14_phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy16_y;
+        mul_f32_ftz_unit_copy15_a <= mul_f32_ftz_unit_copy15_phase ? mul_f32_ftz_unit_copy13_y : scale_y;
+        mul_f32_ftz_unit_copy15_b <= mul_f32_ftz_unit_copy15_phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy9_y;
+        mul_f32_ftz_unit_copy16_a <= mul_f32_ftz_unit_copy16_phase ? v_y_chosen_d15 : mul_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy16_b <= mul_f32_ftz_unit_copy16_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
+        mul_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy17_phase ? a_y_joined_d11 : scale_y;
+        mul_f32_ftz_unit_copy17_b <= mul_f32_ftz_unit_copy17_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy10_y;
+        mul_f32_ftz_unit_copy18_a <= mul_f32_ftz_unit_copy18_phase ? b_y_joined_d11 : scale_y;
+        mul_f32_ftz_unit_copy18_b <= mul_f32_ftz_unit_copy18_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
+        mul_f32_ftz_unit_copy19_a <= mul_f32_ftz_unit_copy19_phase ? alpha_d11 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy19_b <= mul_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy15_y : t_y_sum_d10;
+        mul_f32_ftz_unit_copy20_a <= mul_f32_ftz_unit_copy20_phase ? beta_d11 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy20_b <= mul_f32_ftz_unit_copy20_phase ? mul_f32_ftz_unit_copy17_y : a_y_squared_plus_b_y_squared_d10;
+        mul_f32_ftz_unit_copy21_a <= mul_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy21_b <= mul_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy19_y : scale_y;
+        mul_f32_ftz_unit_copy22_a <= mul_f32_ftz_unit_copy22_phase ? mul_f32_ftz_unit_copy15_y : unit_delta_joined_d2_copy3;
+        mul_f32_ftz_unit_copy22_b <= mul_f32_ftz_unit_copy22_phase ? mul_f32_ftz_unit_copy15_y : mx_joined_d1_copy2;
+        mul_f32_ftz_unit_copy23_a <= mul_f32_ftz_unit_copy23_phase ? mul_f32_ftz_unit_copy17_y : unit_delta_joined_d2_copy2;
+        mul_f32_ftz_unit_copy23_b <= mul_f32_ftz_unit_copy23_phase ? mul_f32_ftz_unit_copy17_y : mx_joined_d1_copy2;
+        mul_f32_ftz_unit_copy24_a <= mul_f32_ftz_unit_copy24_phase ? mul_f32_ftz_unit_copy21_y : unit_delta_joined_d2;
+        mul_f32_ftz_unit_copy24_b <= mul_f32_ftz_unit_copy24_phase ? first_y_chosen_d43 : mx_joined_d1;
+        mul_f32_ftz_unit_copy25_a <= mul_f32_ftz_unit_copy25_phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : 32'h3f800008;
+        mul_f32_ftz_unit_copy25_b <= mul_f32_ftz_unit_copy25_phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : add_f32_ftz_unit_copy16_y;
+        mul_f32_ftz_unit_copy26_a <= mul_f32_ftz_unit_copy26_phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy26_b <= mul_f32_ftz_unit_copy26_phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : first_sum_sum_d10;
+        mul_f32_ftz_unit_copy27_a <= mul_f32_ftz_unit_copy27_phase ? unit_delta_joined_d1_copy2 : filter_radius;
+        mul_f32_ftz_unit_copy27_b <= mul_f32_ftz_unit_copy27_phase ? mx_joined_d1_bits : 32'h3fb60000;
+        mul_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_phase ? mul_f32_ftz_unit_copy11_y : delta_d1;
+        mul_f32_ftz_unit_copy28_b <= mul_f32_ftz_unit_copy28_phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy29_a <= mul_f32_ftz_unit_copy29_phase ? mul_f32_ftz_unit_copy7_y : delta_times_one_over_b_depth_d1;
+        mul_f32_ftz_unit_copy29_b <= mul_f32_ftz_unit_copy29_phase ? mul_f32_ftz_unit_copy15_y : sight_near_out_joined;
+        mul_f32_ftz_unit_copy30_a <= mul_f32_ftz_unit_copy30_phase ? mul_f32_ftz_unit_copy9_y : delay_40_from_0_out;
+        mul_f32_ftz_unit_copy30_b <= mul_f32_ftz_unit_copy30_phase ? mul_f32_ftz_unit_copy17_y : delta_times_one_over_b_depth_d1;
+        sqrt_f32_ftz_unit_a <= sqrt_f32_ftz_unit_phase ? q_d7 : add_f32_ftz_unit_copy18_y;
+        sqrt_f32_ftz_unit_copy2_a <= sqrt_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy10_y : add_f32_ftz_unit_copy20_y;
+        sqrt_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy19_y;
+        le_f32_ftz_unit_a <= le_f32_ftz_unit_phase ? add_f32_ftz_unit_copy3_y : 32'd0;
+        le_f32_ftz_unit_b <= le_f32_ftz_unit_phase ? 32'h3f800000 : add_f32_ftz_unit_copy2_y;
+        le_f32_ftz_unit_copy2_a <= le_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy6_y : depth_b;
+        le_f32_ftz_unit_copy2_b <= le_f32_ftz_unit_copy2_phase ? 32'h3f800000 : before_far_joined_d1;
+        min_f32_ftz_unit_a <= min_f32_ftz_unit_phase ? first_x_chosen_copy9 : 32'h3f800000;
+        min_f32_ftz_unit_b <= min_f32_ftz_unit_phase ? add_f32_ftz_unit_copy15_y : {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+        min_f32_ftz_unit_copy2_a <= min_f32_ftz_unit_copy2_phase ? first_y_chosen_copy9 : 32'h45fff800;
+        min_f32_ftz_unit_copy2_b <= min_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy24_y : last_x_chosen_copy4;
+        min_f32_ftz_unit_copy3_a <= min_f32_ftz_unit_copy3_phase ? 32'h47000000 : 32'h45fff800;
+        min_f32_ftz_unit_copy3_b <= min_f32_ftz_unit_copy3_phase ? first_sum_chosen : last_y_chosen_copy4;
+        min_f32_ftz_unit_copy4_a <= min_f32_ftz_unit_copy4_phase ? 32'h47000000 : 32'h47000000;
+        min_f32_ftz_unit_copy4_b <= min_f32_ftz_unit_copy4_phase ? last_sum_chosen : last_difference_chosen_d1;
+        min_f32_ftz_unit_copy5_b <= first_difference_chosen;
+        to_fixed_f32_ftz_u21q8_unit_a <= max_f32_ftz_unit_copy4_y;
+        to_fixed_f32_ftz_u21q8_unit_copy2_a <= to_fixed_f32_ftz_u21q8_unit_copy2_phase ? last_y_greater_d1 : max_f32_ftz_unit_copy3_y;
+        to_fixed_f32_ftz_u23q8_unit_a <= to_fixed_f32_ftz_u23q8_unit_phase ? first_difference_lesser_d1 : min_f32_ftz_unit_copy3_y;
+        to_fixed_f32_ftz_u23q8_unit_copy2_a <= min_f32_ftz_unit_copy4_y;
+        to_fixed_f32_ftz_s22q8_unit_a <= to_fixed_f32_ftz_s22q8_unit_phase ? center_y_d1_copy2 : add_f32_ftz_unit_copy6_y;
+        to_fixed_f32_ftz_u24q24_unit_a <= to_fixed_f32_ftz_u24q24_unit_phase ? depth_high_out_greater_d1 : max_f32_ftz_unit_copy6_y;
+        to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy7_y;
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {spread_half_d4, turned};
-        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= {spread_half_d4, turned};
+        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             delay_7_from_0[delay_7_from_0_pointer] <= {edge_on_lesser_below_32, sight_disc_out_d62, add_f32_ftz_unit_y, not_turned_d18};
         end
-        if (load_0) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (phases_1[0]) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_2[0]) begin
             delay_8_from_0[delay_8_from_0_pointer] <= {mx_sum_copy3, largest_sum, mul_f32_ftz_unit_copy3_y};
         end
-        if (load_0) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+        if (phases_2[0]) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= largest_sum_copy3;
-        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        if (phases_1[0]) delay_9_from_0[delay_9_from_0_pointer] <= largest_sum_copy3;
+        if (phases_1[0]) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_3[0]) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {
-                3'd0, mul_f32_ftz_unit_y[30:23], 3'd0, mul_f32_ftz_unit_copy2_y[30:23], first_y, sight_disc_out_d51,
-                b_depth_d8, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, lowered_chosen_sign_d4_copy6,
-                beta_chosen_copy2, lowered_chosen_sign_d4_copy5, b_y_chosen_copy2, lowered_chosen_sign_d4_copy4,
-                b_x_chosen_copy2, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2, lowered_chosen_sign_d4_copy2,
-                a_y_chosen_copy2, lowered_chosen_sign_d4, a_x_chosen_copy2
+                first_y, sight_disc_out_d51, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2,
+                lowered_chosen_sign_d4_copy2, a_y_chosen_copy2, lowered_chosen_sign_d4, a_x_chosen_copy2
             };
         end
-        if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        if (phases_3[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_4[0]) begin
+            delay_11_from_0_copy2[delay_11_from_0_copy2_pointer] <= {
+                3'd0, mul_f32_ftz_unit_copy2_y[30:23], lowered_chosen_sign_d4_copy6, beta_chosen_copy2,
+                lowered_chosen_sign_d4_copy5, b_y_chosen_copy2, lowered_chosen_sign_d4_copy4, b_x_chosen_copy2
+            };
+        end
+        if (phases_4[0]) begin
+            delay_11_from_0_copy2_out <= delay_11_from_0_copy2[delay_11_from_0_copy2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_5[0]) begin
+            delay_11_from_0_copy3[delay_11_from_0_copy3_pointer] <= {3'd0, mul_f32_ftz_unit_y[30:23], b_depth_d8, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+        end
+        if (phases_5[0]) begin
+            delay_11_from_0_copy3_out <= delay_11_from_0_copy3[delay_11_from_0_copy3_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_2[0]) begin
             delay_12_from_0[delay_12_from_0_pointer] <= {not_zero_is_alpha_bits, not_zero_is_beta_bits, last_x, first_x, b_depth_d19, delay_30_from_0_out};
         end
-        if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (phases_2[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_13_from_0[delay_13_from_0_pointer] <= q_d7;
-        if (load_0) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+        if (phases_1[0]) delay_13_from_0[delay_13_from_0_pointer] <= q_d7;
+        if (phases_1[0]) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_6[0]) begin
             delay_15_from_0[delay_15_from_0_pointer] <= {v_y_chosen_copy2, v_x_chosen_copy2};
         end
-        if (load_0) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
+        if (phases_6[0]) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_16_from_0[delay_16_from_0_pointer] <= whole_d43;
-        if (load_0) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+        if (phases_2[0]) delay_16_from_0[delay_16_from_0_pointer] <= whole_d43;
+        if (phases_2[0]) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= {
-                to_fixed_f32_ftz_u24q24_unit_copy2_y, last_y_chosen_copy2, first_y_chosen_copy8,
-                add_f32_ftz_unit_copy12_y, last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y,
-                not_turned_d1
-            };
+        if (phases_7[0]) begin
+            delay_17_from_0[delay_17_from_0_pointer] <= {last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y, not_turned_d1};
         end
-        if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        if (phases_7[0]) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_8[0]) begin
+            delay_17_from_0_copy2[delay_17_from_0_copy2_pointer] <= {last_y_chosen_copy2, first_y_chosen_copy8, add_f32_ftz_unit_copy12_y};
+        end
+        if (phases_8[0]) begin
+            delay_17_from_0_copy2_out <= delay_17_from_0_copy2[delay_17_from_0_copy2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_6[0]) begin
+            delay_17_from_0_copy3[delay_17_from_0_copy3_pointer] <= to_fixed_f32_ftz_u24q24_unit_copy2_y;
+        end
+        if (phases_6[0]) begin
+            delay_17_from_0_copy3_out <= delay_17_from_0_copy3[delay_17_from_0_copy3_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_9[0]) begin
             delay_20_from_0[delay_20_from_0_pointer] <= {center_y_d24, delay_24_from_0_out};
         end
-        if (load_0) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (phases_9[0]) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_10[0]) begin
             delay_23_from_0[delay_23_from_0_pointer] <= {center_y_d44, center_y_d1_copy2, center_x_d44};
         end
-        if (load_0) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+        if (phases_10[0]) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_24_from_0[delay_24_from_0_pointer] <= add_f32_ftz_unit_copy6_y;
-        if (load_0) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
+        if (phases_9[0]) delay_24_from_0[delay_24_from_0_pointer] <= add_f32_ftz_unit_copy6_y;
+        if (phases_9[0]) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_25_from_0[delay_25_from_0_pointer] <= lowered_d1;
-        if (load_0) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+        if (phases_3[0]) delay_25_from_0[delay_25_from_0_pointer] <= lowered_d1;
+        if (phases_3[0]) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_11[0]) begin
             delay_28_from_0[delay_28_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y};
         end
-        if (load_0) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        if (phases_11[0]) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_30_from_0[delay_30_from_0_pointer] <= whole_d1;
-        if (load_0) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        if (phases_2[0]) delay_30_from_0[delay_30_from_0_pointer] <= whole_d1;
+        if (phases_2[0]) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_12[0]) begin
             delay_31_from_0[delay_31_from_0_pointer] <= {all_before_far, 1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
         end
-        if (load_0) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+        if (phases_12[0]) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_35_from_0[delay_35_from_0_pointer] <= turned_d5;
-        if (load_0) delay_35_from_0_out <= delay_35_from_0[delay_35_from_0_pointer];
+        if (phases_4[0]) delay_35_from_0[delay_35_from_0_pointer] <= turned_d5;
+        if (phases_4[0]) delay_35_from_0_out <= delay_35_from_0[delay_35_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_4[0]) begin
             delay_37_from_0[delay_37_from_0_pointer] <= {visible_unequal_copy2, turned_and_lowered_chosen_sign};
         end
-        if (load_0) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
+        if (phases_4[0]) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_40_from_0[delay_40_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
-        if (load_0) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
+        if (phases_12[0]) delay_40_from_0[delay_40_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
+        if (phases_12[0]) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_5[0]) begin
             delay_51_from_0[delay_51_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7, sight_disc_out};
         end
-        if (load_0) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
+        if (phases_5[0]) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_13[0]) begin
             delay_52_from_0[delay_52_from_0_pointer] <= {ay_out, ax_out, delay_35_from_0_out};
         end
-        if (load_0) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
+        if (phases_13[0]) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_6[0]) begin
             delay_55_from_0[delay_55_from_0_pointer] <= {doubtful_or_visible_unequal, sight_negative_out, edge_on};
         end
-        if (load_0) delay_55_from_0_out <= delay_55_from_0[delay_55_from_0_pointer];
+        if (phases_6[0]) delay_55_from_0_out <= delay_55_from_0[delay_55_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_57_from_0[delay_57_from_0_pointer] <= before_far;
-        if (load_0) delay_57_from_0_out <= delay_57_from_0[delay_57_from_0_pointer];
+        if (phases_5[0]) delay_57_from_0[delay_57_from_0_pointer] <= before_far;
+        if (phases_5[0]) delay_57_from_0_out <= delay_57_from_0[delay_57_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_64_from_0[delay_64_from_0_pointer] <= first_sum_both;
-        if (load_0) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
+        if (phases_6[0]) delay_64_from_0[delay_64_from_0_pointer] <= first_sum_both;
+        if (phases_6[0]) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_7_from_1[delay_7_from_1_pointer] <= {middle_depth, lt_f32_ftz_unit_y};
-        if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
+        if (phases_1[1]) begin
+            delay_7_from_1[delay_7_from_1_pointer] <= {middle_depth, lt_f32_ftz_unit_y};
+        end
+        if (phases_1[1]) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_1[1]) begin
             delay_8_from_1[delay_8_from_1_pointer] <= {largest_greater_plus_154, delay_31_from_1_out};
         end
-        if (load_1) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
+        if (phases_1[1]) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_2[1]) begin
             delay_9_from_1[delay_9_from_1_pointer] <= {b_y_bits_d1, b_x_bits_d1, a_y_bits_d1, a_x_bits_d1};
         end
-        if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
+        if (phases_2[1]) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_3[1]) begin
             delay_10_from_1[delay_10_from_1_pointer] <= {
-                add_f32_ftz_unit_copy27_y, b_y_sign_d1, b_y_bits_d1_copy2, b_y_bits_is_255_d1,
-                not_zero_is_b_y_bits_d1, b_x_sign_d1, b_x_bits_d1_copy2, b_x_bits_is_255_d1, not_zero_is_b_x_bits_d1,
-                a_y_sign_d1, a_y_bits_d1_copy2, a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1,
-                a_x_bits_d1_copy2, a_x_bits_is_255_d1, not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy18_y,
-                add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y
+                b_y_sign_d1, b_y_bits_is_255_d1, not_zero_is_b_y_bits_d1, b_x_sign_d1, b_x_bits_is_255_d1,
+                not_zero_is_b_x_bits_d1, a_y_sign_d1, a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1,
+                a_x_bits_is_255_d1, not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy9_y,
+                add_f32_ftz_unit_copy8_y
             };
         end
-        if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+        if (phases_3[1]) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_11_from_1[delay_11_from_1_pointer] <= visible_both_copy2;
-        if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+        if (phases_4[1]) begin
+            delay_10_from_1_copy2[delay_10_from_1_copy2_pointer] <= {b_x_bits_d1_copy2, a_y_bits_d1_copy2, a_x_bits_d1_copy2, add_f32_ftz_unit_copy18_y};
+        end
+        if (phases_4[1]) begin
+            delay_10_from_1_copy2_out <= delay_10_from_1_copy2[delay_10_from_1_copy2_pointer];
+        end
     end
     always @(posedge clk) begin
-        if (load_1) delay_12_from_1[delay_12_from_1_pointer] <= last_y;
-        if (load_1) delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
+        if (phases_2[1]) begin
+            delay_10_from_1_copy3[delay_10_from_1_copy3_pointer] <= {add_f32_ftz_unit_copy27_y, b_y_bits_d1_copy2};
+        end
+        if (phases_2[1]) begin
+            delay_10_from_1_copy3_out <= delay_10_from_1_copy3[delay_10_from_1_copy3_pointer];
+        end
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_1[1]) delay_11_from_1[delay_11_from_1_pointer] <= visible_both_copy2;
+        if (phases_1[1]) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[1]) delay_12_from_1[delay_12_from_1_pointer] <= last_y;
+        if (phases_1[1]) delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[1]) begin
             delay_14_from_1[delay_14_from_1_pointer] <= {le_f32_ftz_unit_copy2_y, beyond_near_and_not_turned};
         end
-        if (load_1) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
+        if (phases_1[1]) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_17_from_1[delay_17_from_1_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
-        if (load_1) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
+        if (phases_5[1]) begin
+            delay_17_from_1[delay_17_from_1_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
+        end
+        if (phases_5[1]) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_26_from_1[delay_26_from_1_pointer] <= reaches_near_sum_d1_copy2;
-        if (load_1) delay_26_from_1_out <= delay_26_from_1[delay_26_from_1_pointer];
+        if (phases_5[1]) delay_26_from_1[delay_26_from_1_pointer] <= reaches_near_sum_d1_copy2;
+        if (phases_5[1]) delay_26_from_1_out <= delay_26_from_1[delay_26_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_31_from_1[delay_31_from_1_pointer] <= add_f32_ftz_unit_copy3_y;
-        if (load_1) delay_31_from_1_out <= delay_31_from_1[delay_31_from_1_pointer];
+        if (phases_5[1]) delay_31_from_1[delay_31_from_1_pointer] <= add_f32_ftz_unit_copy3_y;
+        if (phases_5[1]) delay_31_from_1_out <= delay_31_from_1[delay_31_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_32_from_1[delay_32_from_1_pointer] <= beyond_near;
-        if (load_1) delay_32_from_1_out <= delay_32_from_1[delay_32_from_1_pointer];
+        if (phases_1[1]) delay_32_from_1[delay_32_from_1_pointer] <= beyond_near;
+        if (phases_1[1]) delay_32_from_1_out <= delay_32_from_1[delay_32_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_37_from_1[delay_37_from_1_pointer] <= beyond_near_and_not_turned_d18;
-        if (load_1) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
+        if (phases_1[1]) begin
+            delay_37_from_1[delay_37_from_1_pointer] <= beyond_near_and_not_turned_d18;
+        end
+        if (phases_1[1]) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_41_from_1[delay_41_from_1_pointer] <= half_depth_chosen;
-        if (load_1) delay_41_from_1_out <= delay_41_from_1[delay_41_from_1_pointer];
+        if (phases_6[1]) delay_41_from_1[delay_41_from_1_pointer] <= half_depth_chosen;
+        if (phases_6[1]) delay_41_from_1_out <= delay_41_from_1[delay_41_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_6[1]) begin
             delay_43_from_1[delay_43_from_1_pointer] <= {first_y_chosen_copy5, first_x_chosen_copy5};
         end
-        if (load_1) delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+        if (phases_6[1]) delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_7[1]) begin
             delay_45_from_1[delay_45_from_1_pointer] <= {mul_f32_ftz_unit_copy30_y[30:0], mul_f32_ftz_unit_copy29_y[30:0]};
         end
-        if (load_1) delay_45_from_1_out <= delay_45_from_1[delay_45_from_1_pointer];
+        if (phases_7[1]) delay_45_from_1_out <= delay_45_from_1[delay_45_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
+        if (phases_1[1]) begin
             delay_51_from_1[delay_51_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7};
         end
-        if (load_1) delay_51_from_1_out <= delay_51_from_1[delay_51_from_1_pointer];
+        if (phases_1[1]) delay_51_from_1_out <= delay_51_from_1[delay_51_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_52_from_1[delay_52_from_1_pointer] <= delta_d1;
-        if (load_1) delay_52_from_1_out <= delay_52_from_1[delay_52_from_1_pointer];
+        if (phases_7[1]) delay_52_from_1[delay_52_from_1_pointer] <= delta_d1;
+        if (phases_7[1]) delay_52_from_1_out <= delay_52_from_1[delay_52_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_53_from_1[delay_53_from_1_pointer] <= {my, mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
+        if (phases_8[1]) begin
+            delay_53_from_1[delay_53_from_1_pointer] <= {mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
         end
-        if (load_1) delay_53_from_1_out <= delay_53_from_1[delay_53_from_1_pointer];
+        if (phases_8[1]) delay_53_from_1_out <= delay_53_from_1[delay_53_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_61_from_1[delay_61_from_1_pointer] <= first_sum_sum_copy2;
-        if (load_1) delay_61_from_1_out <= delay_61_from_1[delay_61_from_1_pointer];
+        if (phases_9[1]) delay_53_from_1_copy2[delay_53_from_1_copy2_pointer] <= my;
+        if (phases_9[1]) begin
+            delay_53_from_1_copy2_out <= delay_53_from_1_copy2[delay_53_from_1_copy2_pointer];
+        end
     end
     always @(posedge clk) begin
-        if (load_1) delay_62_from_1[delay_62_from_1_pointer] <= first_difference_difference;
-        if (load_1) delay_62_from_1_out <= delay_62_from_1[delay_62_from_1_pointer];
+        if (phases_9[1]) delay_61_from_1[delay_61_from_1_pointer] <= first_sum_sum_copy2;
+        if (phases_9[1]) delay_61_from_1_out <= delay_61_from_1[delay_61_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_9[1]) delay_62_from_1[delay_62_from_1_pointer] <= first_difference_difference;
+        if (phases_9[1]) delay_62_from_1_out <= delay_62_from_1[delay_62_from_1_pointer];
     end
 
     wire _unused = &{
@@ -8651,21 +10775,357 @@ module splat_setup (
         first_sum_sum_copy3[7:0], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
         last_difference_sum_copy3[7:0], last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9],
         last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8],
-        my_chosen[10:8], reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
+        my_chosen[10:8], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
+        queue_3_out_valid, queue_4_in_ready, queue_4_out_valid, queue_5_in_ready, queue_5_out_valid,
+        queue_6_in_ready, queue_6_out_valid, reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
         unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
     };
 
 `ifdef RTL_ASSERT
+    reg to_fixed_f32_ftz_u21q8_unit_phase, to_fixed_f32_ftz_u23q8_unit_copy2_phase;
+
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
+    wire check_both_3 = check_both_2 & (phases_8 == phases_1) & (phases_9 == phases_1) & (phases_10 == phases_1);
+    wire check_both_4 = check_both_3 & (phases_11 == phases_1) & (phases_12 == phases_1) & (phases_13 == phases_1);
+    wire check_both_5 = check_both_4 & (phases_14 == phases_1) & (phases_15 == phases_1) & (phases_16 == phases_1);
+    wire check_both_6 = check_both_5 & (phases_17 == phases_1) & (phases_18 == phases_1) & (phases_19 == phases_1);
+    wire check_both_7 = check_both_6 & (phases_20 == phases_1) & (phases_21 == phases_1) & (phases_22 == phases_1);
+    wire check_both_8 = check_both_7 & (phases_23 == phases_1) & (phases_24 == phases_1) & (phases_25 == phases_1);
+    wire check_both_9 = check_both_8 & (phases_26 == phases_1) & (phases_27 == phases_1) & (phases_28 == phases_1);
+    wire check_both_10 = check_both_9 & (phases_29 == phases_1) & (phases_30 == phases_1) & (phases_31 == phases_1);
+    wire check_both_11 = check_both_10 & (phases_32 == phases_1) & (phases_33 == phases_1);
+    wire check_both_12 = check_both_11 & (phases_34 == phases_1) & (phases_35 == phases_1);
+    wire check_both_13 = check_both_12 & (phases_36 == phases_1) & (phases_37 == phases_1);
+    wire check_both_14 = check_both_13 & (phases_38 == phases_1) & (phases_39 == phases_1);
+    wire check_both_15 = check_both_14 & (phases_40 == phases_1) & (phases_41 == phases_1);
+    wire check_both_16 = check_both_15 & (phases_42 == phases_1) & (phases_43 == phases_1);
+    wire check_both_17 = check_both_16 & (phases_44 == phases_1) & (~max_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_18 = check_both_17 & (~max_f32_ftz_unit_copy2_phase == phases_1[0]) & (~max_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_19 = check_both_18 & (~max_f32_ftz_unit_copy4_phase == phases_1[0]) & (~max_f32_ftz_unit_copy5_phase == phases_1[0]);
+    wire check_both_20 = check_both_19 & (~max_f32_ftz_unit_copy6_phase == phases_1[0]) & (~max_f32_ftz_unit_copy7_phase == phases_1[0]);
+    wire check_both_21 = check_both_20 & (~max_f32_ftz_unit_copy8_phase == phases_1[0]) & (~lt_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_22 = check_both_21 & (~lt_f32_ftz_unit_copy2_phase == phases_1[0]) & (~lt_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_23 = check_both_22 & (~lt_f32_ftz_unit_copy4_phase == phases_1[0]) & (~add_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_24 = check_both_23 & (~add_f32_ftz_unit_copy2_phase == phases_1[0]) & (~add_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_25 = check_both_24 & (~add_f32_ftz_unit_copy4_phase == phases_1[0]) & (~add_f32_ftz_unit_copy5_phase == phases_1[0]);
+    wire check_both_26 = check_both_25 & (~add_f32_ftz_unit_copy6_phase == phases_1[0]) & (~add_f32_ftz_unit_copy7_phase == phases_1[0]);
+    wire check_both_27 = check_both_26 & (~add_f32_ftz_unit_copy8_phase == phases_1[0]) & (~add_f32_ftz_unit_copy9_phase == phases_1[0]);
+    wire check_both_28 = check_both_27 & (~add_f32_ftz_unit_copy10_phase == phases_1[0]) & (~add_f32_ftz_unit_copy11_phase == phases_1[0]);
+    wire check_both_29 = check_both_28 & (~add_f32_ftz_unit_copy12_phase == phases_1[0]) & (~add_f32_ftz_unit_copy13_phase == phases_1[0]);
+    wire check_both_30 = check_both_29 & (~add_f32_ftz_unit_copy14_phase == phases_1[0]) & (~add_f32_ftz_unit_copy15_phase == phases_1[0]);
+    wire check_both_31 = check_both_30 & (~add_f32_ftz_unit_copy16_phase == phases_1[0]) & (~add_f32_ftz_unit_copy17_phase == phases_1[0]);
+    wire check_both_32 = check_both_31 & (~add_f32_ftz_unit_copy18_phase == phases_1[0]) & (~add_f32_ftz_unit_copy19_phase == phases_1[0]);
+    wire check_both_33 = check_both_32 & (~add_f32_ftz_unit_copy20_phase == phases_1[0]) & (~add_f32_ftz_unit_copy21_phase == phases_1[0]);
+    wire check_both_34 = check_both_33 & (~add_f32_ftz_unit_copy22_phase == phases_1[0]) & (~add_f32_ftz_unit_copy23_phase == phases_1[0]);
+    wire check_both_35 = check_both_34 & (~add_f32_ftz_unit_copy24_phase == phases_1[0]) & (~add_f32_ftz_unit_copy25_phase == phases_1[0]);
+    wire check_both_36 = check_both_35 & (~add_f32_ftz_unit_copy26_phase == phases_1[0]) & (~add_f32_ftz_unit_copy27_phase == phases_1[0]);
+    wire check_both_37 = check_both_36 & (~recip_f32_ftz_unit_phase == phases_1[0]) & (~mul_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_38 = check_both_37 & (~mul_f32_ftz_unit_copy2_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_39 = check_both_38 & (~mul_f32_ftz_unit_copy4_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy5_phase == phases_1[0]);
+    wire check_both_40 = check_both_39 & (~mul_f32_ftz_unit_copy6_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy7_phase == phases_1[0]);
+    wire check_both_41 = check_both_40 & (~mul_f32_ftz_unit_copy8_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy9_phase == phases_1[0]);
+    wire check_both_42 = check_both_41 & (~mul_f32_ftz_unit_copy10_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy11_phase == phases_1[0]);
+    wire check_both_43 = check_both_42 & (~mul_f32_ftz_unit_copy12_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy13_phase == phases_1[0]);
+    wire check_both_44 = check_both_43 & (~mul_f32_ftz_unit_copy14_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy15_phase == phases_1[0]);
+    wire check_both_45 = check_both_44 & (~mul_f32_ftz_unit_copy16_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy17_phase == phases_1[0]);
+    wire check_both_46 = check_both_45 & (~mul_f32_ftz_unit_copy18_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy19_phase == phases_1[0]);
+    wire check_both_47 = check_both_46 & (~mul_f32_ftz_unit_copy20_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy21_phase == phases_1[0]);
+    wire check_both_48 = check_both_47 & (~mul_f32_ftz_unit_copy22_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy23_phase == phases_1[0]);
+    wire check_both_49 = check_both_48 & (~mul_f32_ftz_unit_copy24_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy25_phase == phases_1[0]);
+    wire check_both_50 = check_both_49 & (~mul_f32_ftz_unit_copy26_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy27_phase == phases_1[0]);
+    wire check_both_51 = check_both_50 & (~mul_f32_ftz_unit_copy28_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy29_phase == phases_1[0]);
+    wire check_both_52 = check_both_51 & (~mul_f32_ftz_unit_copy30_phase == phases_1[0]) & (~sqrt_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_53 = check_both_52 & (~sqrt_f32_ftz_unit_copy2_phase == phases_1[0]) & (~le_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_54 = check_both_53 & (~le_f32_ftz_unit_copy2_phase == phases_1[0]) & (~min_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_55 = check_both_54 & (~min_f32_ftz_unit_copy2_phase == phases_1[0]) & (~min_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_56 = check_both_55 & (~min_f32_ftz_unit_copy4_phase == phases_1[0]) & (~to_fixed_f32_ftz_u21q8_unit_phase == phases_1[0]);
+    wire check_both_57 = check_both_56 & (~to_fixed_f32_ftz_u21q8_unit_copy2_phase == phases_1[0]);
+    wire check_both_58 = check_both_57 & (~to_fixed_f32_ftz_u23q8_unit_phase == phases_1[0]);
+    wire check_both_59 = check_both_58 & (~to_fixed_f32_ftz_u23q8_unit_copy2_phase == phases_1[0]);
+    wire check_both_60 = check_both_59 & (~to_fixed_f32_ftz_s22q8_unit_phase == phases_1[0]);
+    wire check_both_61 = check_both_60 & (~to_fixed_f32_ftz_u24q24_unit_phase == phases_1[0]);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            to_fixed_f32_ftz_u21q8_unit_phase <= 1'd0;
+            to_fixed_f32_ftz_u23q8_unit_copy2_phase <= 1'd0;
+        end else begin
+            to_fixed_f32_ftz_u21q8_unit_phase <= to_fixed_f32_ftz_u21q8_unit_phase ? (to_fixed_f32_ftz_u21q8_unit_phase - 1'd1) : (to_fixed_f32_ftz_u21q8_unit_phase + 1'd1);
+            to_fixed_f32_ftz_u23q8_unit_copy2_phase <= to_fixed_f32_ftz_u23q8_unit_copy2_phase ? (to_fixed_f32_ftz_u23q8_unit_copy2_phase - 1'd1) : (to_fixed_f32_ftz_u23q8_unit_copy2_phase + 1'd1);
+        end
+    end
+
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & ~phase));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & phase));
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
+        queue_5_has_a_place_for_each_result: assert (~kept | queue_5_in_ready);
+        queue_6_has_a_place_for_each_result: assert (~kept | queue_6_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        queue_4_in_step: assert (queue_4_out_valid == out_valid);
+        queue_5_in_step: assert (queue_5_out_valid == out_valid);
+        queue_6_in_step: assert (queue_6_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_61 & (phases_45 == phases_1));
 `else
-        if (!(load_0 == (queue_in_ready & ~phase))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & phase))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_4_in_ready)) begin
+            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_5_in_ready)) begin
+            $display("assertion failed: queue_5_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_6_in_ready)) begin
+            $display("assertion failed: queue_6_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+        if (!(queue_4_out_valid == out_valid)) begin
+            $display("assertion failed: queue_4_in_step in %m"); $stop;
+        end
+        if (!(queue_5_out_valid == out_valid)) begin
+            $display("assertion failed: queue_5_in_step in %m"); $stop;
+        end
+        if (!(queue_6_out_valid == out_valid)) begin
+            $display("assertion failed: queue_6_in_step in %m"); $stop;
+        end
+        if (!(check_both_61 & (phases_45 == phases_1))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 97
+// width = 124
+module stream_fifo_d97_w124 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [123:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [123:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [123:0] item;
+
+    wire has_room = ~(held == 7'd97);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(124), .DEPTH(97)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd97);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 97
+// width = 121
+module stream_fifo_d97_w121 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [120:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [120:0] item;
+
+    wire has_room = ~(held == 7'd97);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(121), .DEPTH(97)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd97);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 97
+// width = 128
+module stream_fifo_d97_w128 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [127:0] item;
+
+    wire has_room = ~(held == 7'd97);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(97)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd97);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 97
+// width = 97
+module stream_fifo_d97_w97 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [96:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [96:0] out_data
+);
+    reg [6:0] held, waiting, write_address, read_address;
+    wire [96:0] item;
+
+    wire has_room = ~(held == 7'd97);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(97), .DEPTH(97)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd97);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -9686,49 +12146,6 @@ module float_recip_s28_f32ftz (
     };
 endmodule
 
-// Queue of two in registers.
-// width = 726
-module stream_skid_w726 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [725:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [725:0] out_data
-);
-    reg second_valid;
-    reg [725:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // World space to camera space.
 // latency = 31
 // initiation_interval = 1
@@ -9799,23 +12216,48 @@ module splat_transform (
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
-    reg [319:0] delay_6_from_0 [0:4];
+    reg [95:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_6_from_0_copy2 [0:4];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_6_from_0_copy3 [0:4];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0_copy4 [0:4];
     (* ram_style = "distributed" *)
     reg [63:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
-    reg [191:0] delay_14_from_0 [0:12];
+    reg [95:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [207:0] delay_30_from_0 [0:28];
+    reg [95:0] delay_14_from_0_copy2 [0:12];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_30_from_0 [0:28];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_30_from_0_copy2 [0:28];
+    (* ram_style = "distributed" *)
+    reg [15:0] delay_30_from_0_copy3 [0:28];
     (* ram_style = "distributed" *)
     reg [16:0] delay_31_from_0 [0:29];
+    reg [6:0] credits;
     reg [2:0] delay_6_from_0_pointer;
-    reg [319:0] delay_6_from_0_out;
+    reg [95:0] delay_6_from_0_out;
+    reg [2:0] delay_6_from_0_copy2_pointer;
+    reg [95:0] delay_6_from_0_copy2_out;
+    reg [2:0] delay_6_from_0_copy3_pointer;
+    reg [95:0] delay_6_from_0_copy3_out;
+    reg [2:0] delay_6_from_0_copy4_pointer;
+    reg [31:0] delay_6_from_0_copy4_out;
     reg [2:0] delay_8_from_0_pointer;
     reg [63:0] delay_8_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
-    reg [191:0] delay_14_from_0_out;
+    reg [95:0] delay_14_from_0_out;
+    reg [3:0] delay_14_from_0_copy2_pointer;
+    reg [95:0] delay_14_from_0_copy2_out;
     reg [4:0] delay_30_from_0_pointer;
-    reg [207:0] delay_30_from_0_out;
+    reg [95:0] delay_30_from_0_out;
+    reg [4:0] delay_30_from_0_copy2_pointer;
+    reg [95:0] delay_30_from_0_copy2_out;
+    reg [4:0] delay_30_from_0_copy3_pointer;
+    reg [15:0] delay_30_from_0_copy3_out;
     reg [4:0] delay_31_from_0_pointer;
     reg [16:0] delay_31_from_0_out;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
@@ -9851,8 +12293,8 @@ module splat_transform (
     reg attribute_12_bits_is_31_d1;
     reg [15:0] attribute_12_out_chosen_d1;
     reg [30:0] in_flight;
+    reg left, dropped;
 
-    wire [512:0] queue_out_data;
     wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y;
     wire [31:0] mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy7_y;
     wire [31:0] mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy10_y;
@@ -9871,42 +12313,53 @@ module splat_transform (
     wire [31:0] add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y;
     wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y;
     wire [31:0] max_f32_ftz_unit_y;
+    wire queue_1_in_ready;
+    wire [96:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [127:0] queue_3_out_data;
+    wire queue_4_in_ready, queue_4_out_valid;
+    wire [127:0] queue_4_out_data;
+    wire queue_5_in_ready, queue_5_out_valid;
+    wire [31:0] queue_5_out_data;
 
+    assign in_ready = ~credits[6];
+    wire [31:0] m02_times_center_z_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] m12_times_center_z_d6 = delay_6_from_0_out[63:32];
+    wire [31:0] m22_times_center_z_d6 = delay_6_from_0_out[95:64];
+    wire [31:0] m02_times_tangent1_z_d6 = delay_6_from_0_copy2_out[63:32];
+    wire [31:0] m12_times_tangent1_z_d6 = delay_6_from_0_copy2_out[95:64];
+    wire [31:0] m22_times_tangent1_z_d6 = delay_6_from_0_copy3_out[31:0];
+    wire [31:0] m02_times_tangent2_z_d6 = delay_6_from_0_copy3_out[63:32];
+    wire [31:0] m12_times_tangent2_z_d6 = delay_6_from_0_copy3_out[95:64];
+    wire [31:0] u_z_d6 = delay_6_from_0_copy2_out[31:0];
     wire end_d31 = delay_31_from_0_out[0];
     wire kept_either = lt_f32_ftz_unit_y | lt_f32_ftz_unit_copy2_y;
     wire end_or_kept_either = end_d31 | kept_either;
+    wire kept = in_flight[30] & end_or_kept_either;
     wire [31:0] u_x_d8 = delay_8_from_0_out[31:0];
     wire [31:0] u_y_d8 = delay_8_from_0_out[63:32];
     wire [31:0] v1_x_d14 = delay_14_from_0_out[31:0];
     wire [31:0] v1_y_d14 = delay_14_from_0_out[63:32];
     wire [31:0] v1_z_d14 = delay_14_from_0_out[95:64];
-    wire [31:0] v2_x_d14 = delay_14_from_0_out[127:96];
-    wire [31:0] v2_y_d14 = delay_14_from_0_out[159:128];
-    wire [31:0] v2_z_d14 = delay_14_from_0_out[191:160];
+    wire [31:0] v2_x_d14 = delay_14_from_0_copy2_out[31:0];
+    wire [31:0] v2_y_d14 = delay_14_from_0_copy2_out[63:32];
+    wire [31:0] v2_z_d14 = delay_14_from_0_copy2_out[95:64];
     wire [15:0] attribute_0_out_d30 = delay_30_from_0_out[15:0];
     wire [15:0] attribute_1_out_d30 = delay_30_from_0_out[31:16];
     wire [15:0] attribute_2_out_d30 = delay_30_from_0_out[47:32];
     wire [15:0] attribute_3_out_d30 = delay_30_from_0_out[63:48];
     wire [15:0] attribute_4_out_d30 = delay_30_from_0_out[79:64];
     wire [15:0] attribute_5_out_d30 = delay_30_from_0_out[95:80];
-    wire [15:0] attribute_6_out_d30 = delay_30_from_0_out[111:96];
-    wire [15:0] attribute_7_out_d30 = delay_30_from_0_out[127:112];
-    wire [15:0] attribute_8_out_d30 = delay_30_from_0_out[143:128];
-    wire [15:0] attribute_9_out_d30 = delay_30_from_0_out[159:144];
-    wire [15:0] attribute_10_out_d30 = delay_30_from_0_out[175:160];
-    wire [15:0] attribute_11_out_d30 = delay_30_from_0_out[191:176];
-    wire [15:0] attribute_12_out_d30 = delay_30_from_0_out[207:192];
+    wire [15:0] attribute_6_out_d30 = delay_30_from_0_copy2_out[15:0];
+    wire [15:0] attribute_7_out_d30 = delay_30_from_0_copy2_out[31:16];
+    wire [15:0] attribute_8_out_d30 = delay_30_from_0_copy2_out[47:32];
+    wire [15:0] attribute_9_out_d30 = delay_30_from_0_copy2_out[63:48];
+    wire [15:0] attribute_10_out_d30 = delay_30_from_0_copy2_out[79:64];
+    wire [15:0] attribute_11_out_d30 = delay_30_from_0_copy2_out[95:80];
     wire [15:0] cardinal_0_d31 = delay_31_from_0_out[16:1];
-    wire [31:0] m02_times_center_z_d6 = delay_6_from_0_out[31:0];
-    wire [31:0] m12_times_center_z_d6 = delay_6_from_0_out[63:32];
-    wire [31:0] m22_times_center_z_d6 = delay_6_from_0_out[95:64];
-    wire [31:0] m02_times_tangent1_z_d6 = delay_6_from_0_out[159:128];
-    wire [31:0] m12_times_tangent1_z_d6 = delay_6_from_0_out[191:160];
-    wire [31:0] m22_times_tangent1_z_d6 = delay_6_from_0_out[223:192];
-    wire [31:0] m02_times_tangent2_z_d6 = delay_6_from_0_out[255:224];
-    wire [31:0] m12_times_tangent2_z_d6 = delay_6_from_0_out[287:256];
-    wire [31:0] m22_times_tangent2_z_d6 = delay_6_from_0_out[319:288];
-    wire [31:0] u_z_d6 = delay_6_from_0_out[127:96];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire kept_greater_bits_is_255 = max_f32_ftz_unit_y[30:23] == 8'd255;
     wire [7:0] kept_greater_bits_plus_1 = max_f32_ftz_unit_y[30:23] + 8'd1;
     wire [7:0] kept_chosen = kept_greater_bits_is_255 ? max_f32_ftz_unit_y[30:23] : kept_greater_bits_plus_1;
@@ -9953,377 +12406,645 @@ module splat_transform (
     wire attribute_12_bits_is_31 = 5'd31 == in_attribute_12[14:10];
     wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
     wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
-    wire [15:0] attribute_11_out = attribute_11_bits_is_31_d1 ? attribute_11_out_chosen_d1 : attribute_11_d1;
-    wire [15:0] attribute_10_out = attribute_10_bits_is_31_d1 ? attribute_10_out_chosen_d1 : attribute_10_d1;
-    wire [15:0] attribute_9_out = attribute_9_bits_is_31_d1 ? attribute_9_out_chosen_d1 : attribute_9_d1;
-    wire [15:0] attribute_8_out = attribute_8_bits_is_31_d1 ? attribute_8_out_chosen_d1 : attribute_8_d1;
-    wire [15:0] attribute_7_out = attribute_7_bits_is_31_d1 ? attribute_7_out_chosen_d1 : attribute_7_d1;
-    wire [15:0] attribute_6_out = attribute_6_bits_is_31_d1 ? attribute_6_out_chosen_d1 : attribute_6_d1;
     wire [15:0] attribute_5_out = attribute_5_bits_is_31_d1 ? attribute_5_out_chosen_d1 : attribute_5_d1;
     wire [15:0] attribute_4_out = attribute_4_bits_is_31_d1 ? attribute_4_out_chosen_d1 : attribute_4_d1;
     wire [15:0] attribute_3_out = attribute_3_bits_is_31_d1 ? attribute_3_out_chosen_d1 : attribute_3_d1;
     wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
     wire [15:0] attribute_1_out = attribute_1_bits_is_31_d1 ? attribute_1_out_chosen_d1 : attribute_1_d1;
     wire [15:0] attribute_0_out = attribute_0_bits_is_31_d1 ? attribute_0_out_chosen_d1 : attribute_0_d1;
+    wire [15:0] attribute_11_out = attribute_11_bits_is_31_d1 ? attribute_11_out_chosen_d1 : attribute_11_d1;
+    wire [15:0] attribute_10_out = attribute_10_bits_is_31_d1 ? attribute_10_out_chosen_d1 : attribute_10_d1;
+    wire [15:0] attribute_9_out = attribute_9_bits_is_31_d1 ? attribute_9_out_chosen_d1 : attribute_9_d1;
+    wire [15:0] attribute_8_out = attribute_8_bits_is_31_d1 ? attribute_8_out_chosen_d1 : attribute_8_d1;
+    wire [15:0] attribute_7_out = attribute_7_bits_is_31_d1 ? attribute_7_out_chosen_d1 : attribute_7_d1;
+    wire [15:0] attribute_6_out = attribute_6_bits_is_31_d1 ? attribute_6_out_chosen_d1 : attribute_6_d1;
+    wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
 
+    assign {out_end, out_center_x, out_center_y, out_center_z} = queue_1_out_data;
+    assign {out_tangent1_x, out_tangent1_y, out_tangent1_z, out_tangent2_x} = queue_2_out_data;
+    assign {out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3} = queue_3_out_data;
     assign {
-        out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
-        out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
-    } = queue_out_data;
-
-    stream_skid_w513 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[30] & end_or_kept_either), .in_ready(in_ready),
-        .in_data({
-            end_d31, u_x_d8, u_y_d8, u_z_d8, v1_x_d14, v1_y_d14, v1_z_d14, v2_x_d14, v2_y_d14, v2_z_d14,
-            attribute_0_out_d30, attribute_1_out_d30, attribute_2_out_d30, attribute_3_out_d30,
-            attribute_4_out_d30, attribute_5_out_d30, attribute_6_out_d30, attribute_7_out_d30,
-            attribute_8_out_d30, attribute_9_out_d30, attribute_10_out_d30, attribute_11_out_d30,
-            attribute_12_out_d30, cardinal_0_d31
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11
+    } = queue_4_out_data;
+    assign {out_attribute_12, out_cardinal_0} = queue_5_out_data;
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(m00), .b(in_center_x), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(m00), .b(in_center_x), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(m01), .b(in_center_y), .y(mul_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(m01), .b(in_center_y), .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(m02), .b(in_center_z), .y(mul_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(m02), .b(in_center_z), .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(m10), .b(in_center_x), .y(mul_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(m10), .b(in_center_x), .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(m11), .b(in_center_y), .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(m11), .b(in_center_y), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(m12), .b(in_center_z), .y(mul_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(m12), .b(in_center_z), .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(m20), .b(in_center_x), .y(mul_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(m20), .b(in_center_x), .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(m21), .b(in_center_y), .y(mul_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(m21), .b(in_center_y), .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(m22), .b(in_center_z), .y(mul_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(m22), .b(in_center_z), .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(m00), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy10_y)
+        .clk(clk), .enable(1'd1), .a(m00), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(m01), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(m01), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(m02), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(m02), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(m10), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(m10), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy13_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(m11), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy14_y)
+        .clk(clk), .enable(1'd1), .a(m11), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy14_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(in_ready), .a(m12), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy15_y)
+        .clk(clk), .enable(1'd1), .a(m12), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy15_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(in_ready), .a(m20), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(1'd1), .a(m20), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy16_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(in_ready), .a(m21), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(1'd1), .a(m21), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy17_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(in_ready), .a(m22), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(1'd1), .a(m22), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy18_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(in_ready), .a(m00), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy19_y)
+        .clk(clk), .enable(1'd1), .a(m00), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy19_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(in_ready), .a(m01), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy20_y)
+        .clk(clk), .enable(1'd1), .a(m01), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(in_ready), .a(m02), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy21_y)
+        .clk(clk), .enable(1'd1), .a(m02), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy21_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(in_ready), .a(m10), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy22_y)
+        .clk(clk), .enable(1'd1), .a(m10), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy22_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(in_ready), .a(m11), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy23_y)
+        .clk(clk), .enable(1'd1), .a(m11), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy23_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(in_ready), .a(m12), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy24_y)
+        .clk(clk), .enable(1'd1), .a(m12), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy24_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(in_ready), .a(m20), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy25_y)
+        .clk(clk), .enable(1'd1), .a(m20), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy25_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(in_ready), .a(m21), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy26_y)
+        .clk(clk), .enable(1'd1), .a(m21), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy26_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(in_ready), .a(m22), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy27_y)
+        .clk(clk), .enable(1'd1), .a(m22), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy27_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(m02_times_center_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(m02_times_center_z_d6),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(m12_times_center_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .b(m12_times_center_z_d6),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(m22_times_center_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_y), .b(m22_times_center_z_d6),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(m03), .b(add_f32_ftz_unit_copy2_y), .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(m03), .b(add_f32_ftz_unit_copy2_y), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(m13), .b(add_f32_ftz_unit_copy4_y), .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(m13), .b(add_f32_ftz_unit_copy4_y), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(m23), .b(add_f32_ftz_unit_copy6_y), .y(add_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(1'd1), .a(m23), .b(add_f32_ftz_unit_copy6_y), .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy10_y), .b(m02_times_tangent1_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy10_y), .b(m02_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy13_y), .b(mul_f32_ftz_unit_copy14_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy13_y), .b(mul_f32_ftz_unit_copy14_y),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy12_y), .b(m12_times_tangent1_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy12_y), .b(m12_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy16_y), .b(mul_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy16_y), .b(mul_f32_ftz_unit_copy17_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy14_y), .b(m22_times_tangent1_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy14_y), .b(m22_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy19_y), .b(mul_f32_ftz_unit_copy20_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy19_y), .b(mul_f32_ftz_unit_copy20_y),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy16_y), .b(m02_times_tangent2_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy16_y), .b(m02_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy22_y), .b(mul_f32_ftz_unit_copy23_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy22_y), .b(mul_f32_ftz_unit_copy23_y),
         .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy18_y), .b(m12_times_tangent2_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy18_y), .b(m12_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy25_y), .b(mul_f32_ftz_unit_copy26_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy25_y), .b(mul_f32_ftz_unit_copy26_y),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy20_y), .b(m22_times_tangent2_z_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy20_y), .b(delay_6_from_0_copy4_out),
         .y(add_f32_ftz_unit_copy21_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy9_y), .b(kept_chosen_d3),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy9_y), .b(kept_chosen_d3),
         .y(add_f32_ftz_unit_copy22_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(near_plane), .b(u_z_d6), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(u_z_d6), .y(lt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy22_y),
-        .y(lt_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(add_f32_ftz_unit_copy22_y), .y(lt_f32_ftz_unit_copy2_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a({1'd0, add_f32_ftz_unit_copy15_y[30:0]}),
+        .clk(clk), .enable(1'd1), .a({1'd0, add_f32_ftz_unit_copy15_y[30:0]}),
         .b({1'd0, add_f32_ftz_unit_copy21_y[30:0]}), .y(max_f32_ftz_unit_y)
+    );
+
+    stream_fifo_d35_w97_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d31, u_x_d8, u_y_d8, u_z_d8}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d35_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({v1_x_d14, v1_y_d14, v1_z_d14, v2_x_d14}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d35_w128_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            v2_y_d14, v2_z_d14, attribute_0_out_d30, attribute_1_out_d30, attribute_2_out_d30,
+            attribute_3_out_d30
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
+    );
+
+    stream_fifo_d35_w128_distributed queue_4 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
+        .in_data({
+            attribute_4_out_d30, attribute_5_out_d30, attribute_6_out_d30, attribute_7_out_d30,
+            attribute_8_out_d30, attribute_9_out_d30, attribute_10_out_d30, attribute_11_out_d30
+        }),
+        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
+    );
+
+    stream_fifo_d35_w32_distributed queue_5 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
+        .in_data({delay_30_from_0_copy3_out, cardinal_0_d31}),
+        .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd34;
             delay_6_from_0_pointer <= 3'd0;
+            delay_6_from_0_copy2_pointer <= 3'd0;
+            delay_6_from_0_copy3_pointer <= 3'd0;
+            delay_6_from_0_copy4_pointer <= 3'd0;
             delay_8_from_0_pointer <= 3'd0;
             delay_14_from_0_pointer <= 4'd0;
+            delay_14_from_0_copy2_pointer <= 4'd0;
             delay_30_from_0_pointer <= 5'd0;
+            delay_30_from_0_copy2_pointer <= 5'd0;
+            delay_30_from_0_copy3_pointer <= 5'd0;
             delay_31_from_0_pointer <= 5'd0;
             in_flight <= 31'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+            dropped <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left} + {6'd0, dropped};
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_6_from_0_copy2_pointer <= (delay_6_from_0_copy2_pointer == 3'd4) ? (delay_6_from_0_copy2_pointer - 3'd4) : (delay_6_from_0_copy2_pointer + 3'd1);
+            delay_6_from_0_copy3_pointer <= (delay_6_from_0_copy3_pointer == 3'd4) ? (delay_6_from_0_copy3_pointer - 3'd4) : (delay_6_from_0_copy3_pointer + 3'd1);
+            delay_6_from_0_copy4_pointer <= (delay_6_from_0_copy4_pointer == 3'd4) ? (delay_6_from_0_copy4_pointer - 3'd4) : (delay_6_from_0_copy4_pointer + 3'd1);
             delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
             delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+            delay_14_from_0_copy2_pointer <= (delay_14_from_0_copy2_pointer == 4'd12) ? (delay_14_from_0_copy2_pointer - 4'd12) : (delay_14_from_0_copy2_pointer + 4'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+            delay_30_from_0_copy2_pointer <= (delay_30_from_0_copy2_pointer == 5'd28) ? (delay_30_from_0_copy2_pointer - 5'd28) : (delay_30_from_0_copy2_pointer + 5'd1);
+            delay_30_from_0_copy3_pointer <= (delay_30_from_0_copy3_pointer == 5'd28) ? (delay_30_from_0_copy3_pointer - 5'd28) : (delay_30_from_0_copy3_pointer + 5'd1);
             delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[29:0], in_valid};
+            in_flight <= {in_flight[29:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
+            dropped <= in_flight[30] & ~end_or_kept_either;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            attribute_0_d1 <= in_attribute_0;
-            attribute_1_d1 <= in_attribute_1;
-            attribute_2_d1 <= in_attribute_2;
-            attribute_3_d1 <= in_attribute_3;
-            attribute_4_d1 <= in_attribute_4;
-            attribute_5_d1 <= in_attribute_5;
-            attribute_6_d1 <= in_attribute_6;
-            attribute_7_d1 <= in_attribute_7;
-            attribute_8_d1 <= in_attribute_8;
-            attribute_9_d1 <= in_attribute_9;
-            attribute_10_d1 <= in_attribute_10;
-            attribute_11_d1 <= in_attribute_11;
-            attribute_12_d1 <= in_attribute_12;
-            u_z_d7 <= u_z_d6;
-            u_z_d8 <= u_z_d7;
-            kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
-            kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
-            kept_chosen_d1 <= kept_chosen_copy3;
-            kept_chosen_d2 <= kept_chosen_d1;
-            kept_chosen_d3 <= kept_chosen_d2;
-            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
-            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
-            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
-            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
-            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
-            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
-            attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
-            attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
-            attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
-            attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
-            attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
-            attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
-            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
-            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
-            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
-            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
-            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
-            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
-            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
-            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
-            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
-            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
-            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
-            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
-            attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
-            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
-        end
+        attribute_0_d1 <= in_attribute_0;
+        attribute_1_d1 <= in_attribute_1;
+        attribute_2_d1 <= in_attribute_2;
+        attribute_3_d1 <= in_attribute_3;
+        attribute_4_d1 <= in_attribute_4;
+        attribute_5_d1 <= in_attribute_5;
+        attribute_6_d1 <= in_attribute_6;
+        attribute_7_d1 <= in_attribute_7;
+        attribute_8_d1 <= in_attribute_8;
+        attribute_9_d1 <= in_attribute_9;
+        attribute_10_d1 <= in_attribute_10;
+        attribute_11_d1 <= in_attribute_11;
+        attribute_12_d1 <= in_attribute_12;
+        u_z_d7 <= u_z_d6;
+        u_z_d8 <= u_z_d7;
+        kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
+        kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
+        kept_chosen_d1 <= kept_chosen_copy3;
+        kept_chosen_d2 <= kept_chosen_d1;
+        kept_chosen_d3 <= kept_chosen_d2;
+        attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+        attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
+        attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+        attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
+        attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+        attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
+        attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
+        attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
+        attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
+        attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
+        attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
+        attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
+        attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
+        attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
+        attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
+        attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
+        attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
+        attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
+        attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
+        attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
+        attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
+        attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
+        attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
+        attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
+        attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
+        attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy27_y, mul_f32_ftz_unit_copy24_y, mul_f32_ftz_unit_copy21_y,
-                mul_f32_ftz_unit_copy18_y, mul_f32_ftz_unit_copy15_y, mul_f32_ftz_unit_copy12_y,
-                add_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
-                mul_f32_ftz_unit_copy3_y
-            };
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= {mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy3_y};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y};
-        end
-        if (in_ready) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+        delay_6_from_0_copy2[delay_6_from_0_copy2_pointer] <= {mul_f32_ftz_unit_copy15_y, mul_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy9_y};
+        delay_6_from_0_copy2_out <= delay_6_from_0_copy2[delay_6_from_0_copy2_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_14_from_0[delay_14_from_0_pointer] <= {
-                add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy17_y,
-                add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy11_y
-            };
-        end
-        if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        delay_6_from_0_copy3[delay_6_from_0_copy3_pointer] <= {mul_f32_ftz_unit_copy24_y, mul_f32_ftz_unit_copy21_y, mul_f32_ftz_unit_copy18_y};
+        delay_6_from_0_copy3_out <= delay_6_from_0_copy3[delay_6_from_0_copy3_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_30_from_0[delay_30_from_0_pointer] <= {
-                attribute_12_out, attribute_11_out, attribute_10_out, attribute_9_out, attribute_8_out,
-                attribute_7_out, attribute_6_out, attribute_5_out, attribute_4_out, attribute_3_out, attribute_2_out,
-                attribute_1_out, attribute_0_out
-            };
-        end
-        if (in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        delay_6_from_0_copy4[delay_6_from_0_copy4_pointer] <= mul_f32_ftz_unit_copy27_y;
+        delay_6_from_0_copy4_out <= delay_6_from_0_copy4[delay_6_from_0_copy4_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_31_from_0[delay_31_from_0_pointer] <= {in_cardinal_0, in_end};
-        if (in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+        delay_8_from_0[delay_8_from_0_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y};
+        delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_14_from_0[delay_14_from_0_pointer] <= {add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy11_y};
+        delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_14_from_0_copy2[delay_14_from_0_copy2_pointer] <= {add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy17_y};
+        delay_14_from_0_copy2_out <= delay_14_from_0_copy2[delay_14_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_30_from_0[delay_30_from_0_pointer] <= {
+            attribute_5_out, attribute_4_out, attribute_3_out, attribute_2_out, attribute_1_out, attribute_0_out
+        };
+        delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_30_from_0_copy2[delay_30_from_0_copy2_pointer] <= {
+            attribute_11_out, attribute_10_out, attribute_9_out, attribute_8_out, attribute_7_out,
+            attribute_6_out
+        };
+        delay_30_from_0_copy2_out <= delay_30_from_0_copy2[delay_30_from_0_copy2_pointer];
+    end
+    always @(posedge clk) begin
+        delay_30_from_0_copy3[delay_30_from_0_copy3_pointer] <= attribute_12_out;
+        delay_30_from_0_copy3_out <= delay_30_from_0_copy3[delay_30_from_0_copy3_pointer];
+    end
+    always @(posedge clk) begin
+        delay_31_from_0[delay_31_from_0_pointer] <= {in_cardinal_0, in_end};
+        delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, max_f32_ftz_unit_y[31]};
+    wire _unused = &{
+        1'b0, max_f32_ftz_unit_y[31], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
+        queue_3_out_valid, queue_4_in_ready, queue_4_out_valid, queue_5_in_ready, queue_5_out_valid
+    };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
+        queue_5_has_a_place_for_each_result: assert (~kept | queue_5_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        queue_4_in_step: assert (queue_4_out_valid == out_valid);
+        queue_5_in_step: assert (queue_5_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_4_in_ready)) begin
+            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_5_in_ready)) begin
+            $display("assertion failed: queue_5_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+        if (!(queue_4_out_valid == out_valid)) begin
+            $display("assertion failed: queue_4_in_step in %m"); $stop;
+        end
+        if (!(queue_5_out_valid == out_valid)) begin
+            $display("assertion failed: queue_5_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 35
+// width = 32
+// storage = distributed
+module stream_fifo_d35_w32_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [31:0] entries [0:34];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [31:0] item;
+
+    wire has_room = ~(held == 6'd35);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd35);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 35
+// width = 128
+// storage = distributed
+module stream_fifo_d35_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:34];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 6'd35);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd35);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 35
+// width = 97
+// storage = distributed
+module stream_fifo_d35_w97_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [96:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [96:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [96:0] entries [0:34];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [96:0] item;
+
+    wire has_room = ~(held == 6'd35);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd35);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Greater of two floating-point numbers.
@@ -10555,49 +13276,6 @@ module float_mul_s5_f32ftz (
     end
 
     wire _unused = &{1'b0, significand_s4[25]};
-endmodule
-
-// Queue of two in registers.
-// width = 513
-module stream_skid_w513 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [512:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [512:0] out_data
-);
-    reg second_valid;
-    reg [512:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Memory with registered reads, in slices that are memories of the device each.

@@ -643,7 +643,7 @@ module process_kernel (
         .out_valid(neighbor_queue_out_valid), .out_ready(block_in_ready), .out_data(neighbor_queue_out_data)
     );
 
-    stream_fifo_d56_w9_distributed tags (
+    stream_fifo_d55_w9_distributed tags (
         .clk(clk), .rst(rst), .in_valid(enters), .in_ready(tags_in_ready),
         .in_data(neighbor_queue_out_data[296:288]),
         .out_valid(tags_out_valid), .out_ready(adds), .out_data(tags_out_data)
@@ -828,6 +828,7 @@ module mls_kernel (
     reg [63:0] delay_40_from_0 [0:38];
     (* ram_style = "distributed" *)
     reg [95:0] delay_46_from_0 [0:44];
+    reg [6:0] credits;
     reg [1:0] delay_5_from_0_pointer;
     reg [31:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
@@ -839,167 +840,311 @@ module mls_kernel (
     reg [5:0] delay_46_from_0_pointer;
     reg [95:0] delay_46_from_0_out;
     reg [50:0] in_flight;
+    reg left;
 
-    wire [223:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
     wire [31:0] mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y;
     wire [31:0] mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y;
     wire [31:0] mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y;
     wire [31:0] mul_f32_ftz_unit_copy12_y, max_f32_ftz_unit_y;
+    wire queue_1_in_ready;
+    wire [127:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [95:0] queue_2_out_data;
 
+    assign in_ready = ~credits[6];
     wire [31:0] d_x_d40 = delay_40_from_0_out[31:0];
     wire [31:0] d_y_d40 = delay_40_from_0_out[63:32];
     wire [31:0] neighbor_normal_x_d46 = delay_46_from_0_out[31:0];
     wire [31:0] neighbor_normal_y_d46 = delay_46_from_0_out[63:32];
     wire [31:0] neighbor_normal_z_d46 = delay_46_from_0_out[95:64];
+    wire kept = in_flight[50];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {
-        out_sum_weight, out_sum_points_x, out_sum_points_y, out_sum_points_z, out_sum_normals_x,
-        out_sum_normals_y, out_sum_normals_z
-    } = queue_out_data;
-
-    stream_skid_w224 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[50]), .in_ready(in_ready),
-        .in_data({
-            delay_5_from_0_out, mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y,
-            mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_sum_weight, out_sum_points_x, out_sum_points_y, out_sum_points_z} = queue_1_out_data;
+    assign {out_sum_normals_x, out_sum_normals_y, out_sum_normals_z} = queue_2_out_data;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_neighbor_position_x),
+        .clk(clk), .enable(1'd1), .a(in_neighbor_position_x),
         .b({~in_query_position_x[31], in_query_position_x[30:0]}), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_neighbor_position_y),
+        .clk(clk), .enable(1'd1), .a(in_neighbor_position_y),
         .b({~in_query_position_y[31], in_query_position_y[30:0]}), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_neighbor_position_z),
+        .clk(clk), .enable(1'd1), .a(in_neighbor_position_z),
         .b({~in_query_position_z[31], in_query_position_z[30:0]}), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy4_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy4_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(32'h3f800000),
+        .clk(clk), .enable(1'd1), .a(32'h3f800000),
         .b({~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]}), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(delay_6_from_0_out), .b(delay_6_from_0_out),
+        .clk(clk), .enable(1'd1), .a(delay_6_from_0_out), .b(delay_6_from_0_out),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(setting_inverse_radius2), .b(add_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(setting_inverse_radius2), .b(add_f32_ftz_unit_copy5_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(max_f32_ftz_unit_y), .b(max_f32_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(max_f32_ftz_unit_y), .b(max_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy5_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy5_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(d_x_d40), .b(mul_f32_ftz_unit_copy6_y), .y(mul_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(d_x_d40), .b(mul_f32_ftz_unit_copy6_y), .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(d_y_d40), .b(mul_f32_ftz_unit_copy6_y), .y(mul_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(d_y_d40), .b(mul_f32_ftz_unit_copy6_y), .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(delay_34_from_0_out), .b(mul_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(delay_34_from_0_out), .b(mul_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(neighbor_normal_x_d46), .b(mul_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(neighbor_normal_x_d46), .b(mul_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(neighbor_normal_y_d46), .b(mul_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(neighbor_normal_y_d46), .b(mul_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(neighbor_normal_z_d46), .b(mul_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(neighbor_normal_z_d46), .b(mul_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(32'd0), .y(max_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_y), .b(32'd0), .y(max_f32_ftz_unit_y)
+    );
+
+    stream_fifo_d55_w128_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({delay_5_from_0_out, mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d55_w96_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd54;
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
             delay_34_from_0_pointer <= 6'd0;
             delay_40_from_0_pointer <= 6'd0;
             delay_46_from_0_pointer <= 6'd0;
             in_flight <= 51'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_34_from_0_pointer <= (delay_34_from_0_pointer == 6'd32) ? (delay_34_from_0_pointer - 6'd32) : (delay_34_from_0_pointer + 6'd1);
             delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
             delay_46_from_0_pointer <= (delay_46_from_0_pointer == 6'd44) ? (delay_46_from_0_pointer - 6'd44) : (delay_46_from_0_pointer + 6'd1);
-            in_flight <= {in_flight[49:0], in_valid};
+            in_flight <= {in_flight[49:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_5_from_0[delay_5_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
-        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        delay_5_from_0[delay_5_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
+        delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_34_from_0[delay_34_from_0_pointer] <= delay_6_from_0_out;
-        if (in_ready) delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
+        delay_34_from_0[delay_34_from_0_pointer] <= delay_6_from_0_out;
+        delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_40_from_0[delay_40_from_0_pointer] <= {add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y};
+        delay_40_from_0[delay_40_from_0_pointer] <= {add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y};
+        delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_46_from_0[delay_46_from_0_pointer] <= {in_neighbor_normal_z, in_neighbor_normal_y, in_neighbor_normal_x};
+        delay_46_from_0_out <= delay_46_from_0[delay_46_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
-        if (in_ready) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 55
+// width = 96
+// storage = distributed
+module stream_fifo_d55_w96_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [95:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [95:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [95:0] entries [0:54];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [95:0] item;
+
+    wire has_room = ~(held == 6'd55);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
+        end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_46_from_0[delay_46_from_0_pointer] <= {in_neighbor_normal_z, in_neighbor_normal_y, in_neighbor_normal_x};
-        end
-        if (in_ready) delay_46_from_0_out <= delay_46_from_0[delay_46_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd55);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 55
+// width = 128
+// storage = distributed
+module stream_fifo_d55_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:54];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 6'd55);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd55);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Greater of two floating-point numbers.
@@ -1027,64 +1172,21 @@ module float_max_s2_f32ftz (
     end
 endmodule
 
-// Queue of two in registers.
-// width = 224
-module stream_skid_w224 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [223:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [223:0] out_data
-);
-    reg second_valid;
-    reg [223:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Queue in a memory with a registered output.
-// depth = 56
+// depth = 55
 // width = 9
 // storage = distributed
-module stream_fifo_d56_w9_distributed (
+module stream_fifo_d55_w9_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [8:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [8:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [8:0] entries [0:55];
+    reg [8:0] entries [0:54];
     reg [5:0] held, waiting, write_address, read_address;
     reg [8:0] item;
 
-    wire has_room = ~(held == 6'd56);
+    wire has_room = ~(held == 6'd55);
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
     wire fetch = |waiting & (~out_valid | out_ready);
@@ -1103,8 +1205,8 @@ module stream_fifo_d56_w9_distributed (
             held <= (held + {5'd0, push}) - {5'd0, pop};
             waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 6'd55) ? 6'd0 : (write_address + 6'd1);
-            if (fetch) read_address <= (read_address == 6'd55) ? 6'd0 : (read_address + 6'd1);
+            if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
         end
     end
     always @(posedge clk) begin
@@ -1115,10 +1217,10 @@ module stream_fifo_d56_w9_distributed (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 6'd56);
+        held_in_range: assert (held <= 6'd55);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
 `else
-        if (!(held <= 6'd56)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -1152,119 +1254,102 @@ module process_sums (
     reg [2:0] delay_6_from_0_pointer;
     reg [6:0] delay_6_from_0_out;
     reg [5:0] in_flight;
+    reg shown;
+    reg [1:0] shown_bank;
+    reg [2:0] shown_partial;
+    reg shown_none, shown_last;
+    reg [31:0] shown_weight, shown_points_x, shown_points_y, shown_points_z, shown_normals_x, shown_normals_y;
+    reg [31:0] shown_normals_z;
 
-    wire [230:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
 
+    wire kept = in_flight[5];
     wire [1:0] bank_d6 = delay_6_from_0_out[1:0];
     wire [2:0] partial_d6 = delay_6_from_0_out[4:2];
     wire none_d6 = delay_6_from_0_out[5];
     wire last_d6 = delay_6_from_0_out[6];
 
-    assign {
-        out_bank, out_partial, out_none, out_last, out_weight, out_points_x, out_points_y, out_points_z,
-        out_normals_x, out_normals_y, out_normals_z
-    } = queue_out_data;
-
-    stream_skid_w231 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[5]), .in_ready(in_ready),
-        .in_data({
-            bank_d6, partial_d6, none_d6, last_d6, add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y,
-            add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y, add_f32_ftz_unit_copy5_y,
-            add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign in_ready = 1'd1;
+    assign out_valid = shown;
+    assign out_bank = shown_bank;
+    assign out_partial = shown_partial;
+    assign out_none = shown_none;
+    assign out_last = shown_last;
+    assign out_weight = shown_weight;
+    assign out_points_x = shown_points_x;
+    assign out_points_y = shown_points_y;
+    assign out_points_z = shown_points_z;
+    assign out_normals_x = shown_normals_x;
+    assign out_normals_y = shown_normals_y;
+    assign out_normals_z = shown_normals_z;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_before_weight), .b(in_sum_weight), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_before_weight), .b(in_sum_weight), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_before_points_x), .b(in_sum_points_x),
-        .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(in_before_points_x), .b(in_sum_points_x), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_before_points_y), .b(in_sum_points_y),
-        .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(in_before_points_y), .b(in_sum_points_y), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(in_before_points_z), .b(in_sum_points_z),
-        .y(add_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(in_before_points_z), .b(in_sum_points_z), .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(in_before_normals_x), .b(in_sum_normals_x),
-        .y(add_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(in_before_normals_x), .b(in_sum_normals_x), .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(in_before_normals_y), .b(in_sum_normals_y),
-        .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(in_before_normals_y), .b(in_sum_normals_y), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(in_before_normals_z), .b(in_sum_normals_z),
-        .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(in_before_normals_z), .b(in_sum_normals_z), .y(add_f32_ftz_unit_copy7_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
             in_flight <= 6'd0;
-        end else if (in_ready) begin
+            shown <= 1'd0;
+        end else begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             in_flight <= {in_flight[4:0], in_valid};
+            shown <= kept;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {in_last, in_none, in_partial, in_bank};
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-    end
-endmodule
-
-// Queue of two in registers.
-// width = 231
-module stream_skid_w231 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [230:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [230:0] out_data
-);
-    reg second_valid;
-    reg [230:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
+        shown_bank <= bank_d6;
+        shown_partial <= partial_d6;
+        shown_none <= none_d6;
+        shown_last <= last_d6;
+        shown_weight <= add_f32_ftz_unit_y;
+        shown_points_x <= add_f32_ftz_unit_copy2_y;
+        shown_points_y <= add_f32_ftz_unit_copy3_y;
+        shown_points_z <= add_f32_ftz_unit_copy4_y;
+        shown_normals_x <= add_f32_ftz_unit_copy5_y;
+        shown_normals_y <= add_f32_ftz_unit_copy6_y;
+        shown_normals_z <= add_f32_ftz_unit_copy7_y;
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        delay_6_from_0[delay_6_from_0_pointer] <= {in_last, in_none, in_partial, in_bank};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
+
+    wire _unused = &{1'b0, out_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        results_are_taken: assert (~shown | out_ready);
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(~shown | out_ready)) begin
+            $display("assertion failed: results_are_taken in %m"); $stop;
         end
 `endif
     end
@@ -2515,10 +2600,11 @@ module process_finish (
     reg [63:0] delay_6_from_5 [0:4];
     (* ram_style = "distributed" *)
     reg delay_8_from_5 [0:6];
-    reg [2:0] phase;
-    reg load_0, load_1, load_2, load_3, load_4, load_5, load_7;
+    reg [4:0] credits;
+    reg [7:0] phases_1;
     reg [3:0] delay_12_from_0_pointer;
     reg [95:0] delay_12_from_0_out;
+    reg [7:0] phases_2;
     reg [3:0] delay_13_from_0_pointer;
     reg [95:0] delay_13_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
@@ -2531,16 +2617,32 @@ module process_finish (
     reg [63:0] delay_6_from_5_out;
     reg [2:0] delay_8_from_5_pointer;
     reg delay_8_from_5_out;
-    reg [31:0] query_position_x_d1, query_position_y_d1, query_position_z_d1, state_start_x_d1, state_start_y_d1;
-    reg [31:0] state_start_z_d1, sum_weight_0_d1, sum_weight_1_d1, sum_weight_2_d1, sum_weight_3_d1, sum_weight_4_d1;
-    reg [31:0] sum_weight_5_d1, sum_weight_6_d1, sum_weight_7_d1, sum_points_x_0_d1, sum_points_x_1_d1;
-    reg [31:0] sum_points_x_2_d1, sum_points_x_3_d1, sum_points_x_4_d1, sum_points_x_5_d1, sum_points_x_6_d1;
-    reg [31:0] sum_points_x_7_d1, sum_points_y_0_d1, sum_points_y_1_d1, sum_points_y_2_d1, sum_points_y_3_d1;
-    reg [31:0] sum_points_y_4_d1, sum_points_y_5_d1, sum_points_y_6_d1, sum_points_y_7_d1, sum_points_z_0_d1;
-    reg [31:0] sum_points_z_1_d1, sum_points_z_2_d1, sum_points_z_3_d1, sum_points_z_4_d1, sum_points_z_5_d1;
-    reg [31:0] sum_points_z_6_d1, sum_points_z_7_d1, sum_normals_z_0_d1, sum_normals_z_1_d1, sum_normals_z_2_d1;
-    reg [31:0] sum_normals_z_3_d1, sum_normals_z_4_d1, sum_normals_z_5_d1, sum_normals_z_6_d1, sum_normals_z_7_d1;
-    reg [31:0] sum_weight_0_plus_sum_weight_1_d1, sum_weight_2_plus_sum_weight_3_d1, inverse_weight_sum_d1;
+    reg [7:0] phases_3;
+    reg [31:0] query_position_x_d1, query_position_y_d1, query_position_z_d1, state_start_x_d1;
+    reg [7:0] phases_4;
+    reg [31:0] state_start_y_d1, state_start_z_d1, sum_weight_0_d1, sum_weight_1_d1;
+    reg [7:0] phases_5;
+    reg [31:0] sum_weight_2_d1, sum_weight_3_d1, sum_weight_4_d1, sum_weight_5_d1;
+    reg [7:0] phases_6;
+    reg [31:0] sum_weight_6_d1, sum_weight_7_d1, sum_points_x_0_d1, sum_points_x_1_d1;
+    reg [7:0] phases_7;
+    reg [31:0] sum_points_x_2_d1, sum_points_x_3_d1, sum_points_x_4_d1, sum_points_x_5_d1;
+    reg [7:0] phases_8;
+    reg [31:0] sum_points_x_6_d1, sum_points_x_7_d1, sum_points_y_0_d1, sum_points_y_1_d1;
+    reg [7:0] phases_9;
+    reg [31:0] sum_points_y_2_d1, sum_points_y_3_d1, sum_points_y_4_d1, sum_points_y_5_d1;
+    reg [7:0] phases_10;
+    reg [31:0] sum_points_y_6_d1, sum_points_y_7_d1, sum_points_z_0_d1, sum_points_z_1_d1;
+    reg [7:0] phases_11;
+    reg [31:0] sum_points_z_2_d1, sum_points_z_3_d1, sum_points_z_4_d1, sum_points_z_5_d1;
+    reg [7:0] phases_12;
+    reg [31:0] sum_points_z_6_d1, sum_points_z_7_d1, sum_normals_z_0_d1, sum_normals_z_1_d1;
+    reg [7:0] phases_13;
+    reg [31:0] sum_normals_z_2_d1, sum_normals_z_3_d1, sum_normals_z_4_d1, sum_normals_z_5_d1;
+    reg [7:0] phases_14;
+    reg [31:0] sum_normals_z_6_d1, sum_normals_z_7_d1, sum_weight_0_plus_sum_weight_1_d1;
+    reg [31:0] sum_weight_2_plus_sum_weight_3_d1, inverse_weight_sum_d1;
+    reg [7:0] phases_15;
     reg [31:0] sum_weight_4_plus_sum_weight_5_d1, sum_weight_6_plus_sum_weight_7_d1, inverse_weight_sum_d1_copy2;
     reg [31:0] inverse_weight_d1, a_x_sum_d1, a_x_sum_d1_copy2, a_x_sum_plus_a_x_sum_d1, a_x_sum_d1_copy3;
     reg [31:0] a_x_sum_d1_copy4, a_x_sum_plus_a_x_sum_d1_copy2, a_x_sum_d1_copy5, a_x_sum_d2, a_x_sum_d3, a_x_sum_d4;
@@ -2549,44 +2651,88 @@ module process_finish (
     reg [31:0] a_z_sum_d1_copy2, a_z_sum_plus_a_z_sum_d1, a_z_sum_d1_copy3, a_z_sum_d1_copy4;
     reg [31:0] a_z_sum_plus_a_z_sum_d1_copy2, a_z_sum_d1_copy5, a_z_sum_d2, a_z_sum_d3, a_z_sum_d4, a_x_d1, a_x_d2;
     reg [31:0] a_y_d1, a_y_d2, a_z_d1, a_z_d2, magnitude_sum_d1, magnitude_sum_d1_copy2, magnitude_sum_d1_copy3;
+    reg [7:0] phases_16;
     reg [31:0] magnitude_sum_d1_copy4, magnitude_sum_d1_copy5, magnitude_sum_d1_copy6, magnitude_sum_d1_copy7;
     reg [31:0] magnitude_d1, n_x_d1, n_x_d2, n_x_d3, n_x_d4, n_y_d1, n_y_d2, n_y_d3, n_y_d4, n_z_d1, n_z_d2, n_z_d3;
     reg [31:0] n_z_d4, a_x_times_n_x_d1, a_y_times_n_y_d1, a_z_times_n_z_d1, a_z_times_n_z_d2, residual_sum_d1;
     reg [31:0] residual_d1;
     reg weighs_d1, weighs_d2, weighs_d3, valid_d1;
-    reg [31:0] from_start_x_d1, from_start_y_d1, from_start_z_d1, n_z_times_from_start_z_d1, along_d1, step_y_d1;
-    reg [31:0] step_z_d1, normal_x_d1, normal_y_d1, normal_z_d1, residual_there_d1;
+    reg [31:0] from_start_x_d1, from_start_y_d1, from_start_z_d1;
+    reg [7:0] phases_17;
+    reg [31:0] n_z_times_from_start_z_d1, along_d1, step_y_d1, step_z_d1, normal_x_d1, normal_y_d1, normal_z_d1;
+    reg [7:0] phases_18;
+    reg [31:0] residual_there_d1;
     reg close_d1, finished_d1;
-    reg [31:0] add_f32_ftz_unit_a, add_f32_ftz_unit_b, add_f32_ftz_unit_copy2_a, add_f32_ftz_unit_copy2_b;
-    reg [31:0] add_f32_ftz_unit_copy3_a, add_f32_ftz_unit_copy3_b, add_f32_ftz_unit_copy4_a;
-    reg [31:0] add_f32_ftz_unit_copy4_b, add_f32_ftz_unit_copy5_a, add_f32_ftz_unit_copy5_b;
-    reg [31:0] add_f32_ftz_unit_copy6_a, add_f32_ftz_unit_copy6_b, add_f32_ftz_unit_copy7_a;
-    reg [31:0] add_f32_ftz_unit_copy7_b, add_f32_ftz_unit_copy8_a, add_f32_ftz_unit_copy8_b, mul_f32_ftz_unit_a;
-    reg [31:0] mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_copy2_b, mul_f32_ftz_unit_copy3_a;
-    reg [31:0] mul_f32_ftz_unit_copy3_b, lt_f32_ftz_unit_a, lt_f32_ftz_unit_b;
+    reg [2:0] add_f32_ftz_unit_phase;
+    reg [31:0] add_f32_ftz_unit_a;
+    reg [2:0] add_f32_ftz_unit_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_b;
+    reg [2:0] add_f32_ftz_unit_copy2_phase;
+    reg [31:0] add_f32_ftz_unit_copy2_a;
+    reg [2:0] add_f32_ftz_unit_copy2_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy2_b;
+    reg [2:0] add_f32_ftz_unit_copy3_phase;
+    reg [31:0] add_f32_ftz_unit_copy3_a;
+    reg [2:0] add_f32_ftz_unit_copy3_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy3_b;
+    reg [2:0] add_f32_ftz_unit_copy4_phase;
+    reg [31:0] add_f32_ftz_unit_copy4_a;
+    reg [2:0] add_f32_ftz_unit_copy4_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy4_b;
+    reg [2:0] add_f32_ftz_unit_copy5_phase;
+    reg [31:0] add_f32_ftz_unit_copy5_a;
+    reg [2:0] add_f32_ftz_unit_copy5_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy5_b;
+    reg [2:0] add_f32_ftz_unit_copy6_phase;
+    reg [31:0] add_f32_ftz_unit_copy6_a;
+    reg [2:0] add_f32_ftz_unit_copy6_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy6_b;
+    reg [2:0] add_f32_ftz_unit_copy7_phase;
+    reg [31:0] add_f32_ftz_unit_copy7_a;
+    reg [2:0] add_f32_ftz_unit_copy7_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy7_b;
+    reg [2:0] add_f32_ftz_unit_copy8_phase;
+    reg [31:0] add_f32_ftz_unit_copy8_a;
+    reg [2:0] add_f32_ftz_unit_copy8_phase_copy2;
+    reg [31:0] add_f32_ftz_unit_copy8_b;
+    reg [2:0] mul_f32_ftz_unit_phase;
+    reg [31:0] mul_f32_ftz_unit_a;
+    reg [2:0] mul_f32_ftz_unit_phase_copy2;
+    reg [31:0] mul_f32_ftz_unit_b;
+    reg [2:0] mul_f32_ftz_unit_copy2_phase;
+    reg [31:0] mul_f32_ftz_unit_copy2_a;
+    reg [2:0] mul_f32_ftz_unit_copy2_phase_copy2;
+    reg [31:0] mul_f32_ftz_unit_copy2_b;
+    reg [2:0] mul_f32_ftz_unit_copy3_phase;
+    reg [31:0] mul_f32_ftz_unit_copy3_a;
+    reg [2:0] mul_f32_ftz_unit_copy3_phase_copy2;
+    reg [31:0] mul_f32_ftz_unit_copy3_b;
+    reg [2:0] lt_f32_ftz_unit_phase;
+    reg [31:0] lt_f32_ftz_unit_a, lt_f32_ftz_unit_b;
     reg [13:0] in_flight;
+    reg left;
 
-    wire queue_in_ready;
-    wire [330:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
     wire [31:0] add_f32_ftz_unit_copy8_y, recip_f32_ftz_unit_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
     wire [31:0] mul_f32_ftz_unit_copy3_y, rsqrt_f32_ftz_unit_y;
-    wire lt_f32_ftz_unit_y, le_f32_ftz_unit_y;
+    wire lt_f32_ftz_unit_y, le_f32_ftz_unit_y, queue_1_in_ready;
+    wire [102:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [99:0] queue_3_out_data;
 
-    wire phase_is_6 = phase == 3'd6;
-    wire in_flight_13_and_phase_is_6 = in_flight[13] & phase_is_6;
+    assign in_ready = ~credits[4] & phases_1[0];
+    wire [31:0] distance = {1'd0, add_f32_ftz_unit_copy4_y[30:0]};
+    wire kept = in_flight[13] & phases_1[6];
     wire [31:0] query_position_x_d14 = delay_13_from_0_out[31:0];
     wire [31:0] surface_x = valid_d1 ? add_f32_ftz_unit_copy6_y : query_position_x_d14;
     wire [31:0] query_position_y_d14 = delay_13_from_0_out[63:32];
     wire [31:0] surface_y = valid_d1 ? add_f32_ftz_unit_copy7_y : query_position_y_d14;
     wire [31:0] query_position_z_d14 = delay_13_from_0_out[95:64];
     wire [31:0] surface_z = valid_d1 ? add_f32_ftz_unit_copy8_y : query_position_z_d14;
-    wire [31:0] distance = {1'd0, add_f32_ftz_unit_copy4_y[30:0]};
-    wire phase_is_7 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = out_valid & ~out_ready & (~queue_in_ready | in_flight_13_and_phase_is_6);
-    wire advance_next = ~advance_next_both;
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire valid = lt_f32_ftz_unit_y & delay_8_from_5_out;
     wire [31:0] normal_x = valid ? n_x_d4 : 32'd0;
     wire [31:0] normal_y = valid ? n_y_d4 : 32'd0;
@@ -2594,445 +2740,831 @@ module process_finish (
     wire [31:0] residual_there = valid ? residual_d1 : 32'd0;
     wire invalid = ~valid;
     wire finished = close_d1 | invalid;
-    wire [31:0] add_f32_ftz_unit_a_choice = phase[1] ? add_f32_ftz_unit_y : phase[0] ? a_x_sum_plus_a_x_sum_d1 : a_x_sum_d1;
-    wire [31:0] add_f32_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? sum_points_x_2_d1 : sum_weight_0_plus_sum_weight_1_d1) : phase[0] ? sum_weight_0_d1 : in_sum_normals_x_0;
-    wire [31:0] add_f32_ftz_unit_b_choice = phase[1] ? add_f32_ftz_unit_copy2_y : phase[0] ? a_x_sum_plus_a_x_sum_d1_copy2 : a_x_sum_d1_copy2;
-    wire [31:0] add_f32_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? sum_points_x_3_d1 : sum_weight_2_plus_sum_weight_3_d1) : phase[0] ? sum_weight_1_d1 : in_sum_normals_x_1;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice = phase[1] ? add_f32_ftz_unit_copy3_y : phase[0] ? a_y_sum_plus_a_y_sum_d1 : a_x_sum_d1_copy3;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? sum_points_x_4_d1 : sum_weight_4_plus_sum_weight_5_d1) : phase[0] ? sum_weight_2_d1 : in_sum_normals_x_2;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice = phase[1] ? add_f32_ftz_unit_copy4_y : phase[0] ? a_y_sum_plus_a_y_sum_d1_copy2 : a_x_sum_d1_copy4;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? sum_points_x_5_d1 : sum_weight_6_plus_sum_weight_7_d1) : phase[0] ? sum_weight_3_d1 : in_sum_normals_x_3;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f32_ftz_unit_copy5_y : a_x_times_n_x_d1) : phase[0] ? a_z_sum_d1 : a_y_sum_d1;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? sum_points_x_6_d1 : inverse_weight_sum_d1) : phase[0] ? sum_weight_4_d1 : in_sum_normals_x_4;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? add_f32_ftz_unit_copy6_y : a_y_times_n_y_d1) : phase[0] ? a_z_sum_d1_copy2 : a_y_sum_d1_copy2;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? sum_points_x_7_d1 : inverse_weight_sum_d1_copy2) : phase[0] ? sum_weight_5_d1 : in_sum_normals_x_5;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? add_f32_ftz_unit_copy7_y : a_z_times_n_z_d2) : phase[0] ? a_z_sum_d1_copy3 : a_y_sum_d1_copy3;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? sum_points_y_0_d1 : sum_points_x_0_d1) : phase[0] ? sum_weight_6_d1 : in_sum_normals_x_6;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? add_f32_ftz_unit_copy8_y : residual_sum_d1) : phase[0] ? a_z_sum_d1_copy4 : a_y_sum_d1_copy4;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? sum_points_y_1_d1 : sum_points_x_1_d1) : phase[0] ? sum_weight_7_d1 : in_sum_normals_x_7;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? mul_f32_ftz_unit_y : a_x_d1) : phase[0] ? a_z_sum_plus_a_z_sum_d1 : sum_points_z_0_d1;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? sum_points_y_2_d1 : magnitude_sum_d1) : phase[0] ? sum_normals_z_0_d1 : in_sum_normals_y_0;
+    wire [31:0] add_f32_ftz_unit_a_choice = add_f32_ftz_unit_phase[1] ? add_f32_ftz_unit_y : add_f32_ftz_unit_phase[0] ? a_x_sum_plus_a_x_sum_d1 : a_x_sum_d1;
+    wire [31:0] add_f32_ftz_unit_a_choice_2 = add_f32_ftz_unit_phase[0] ? sum_points_x_2_d1 : sum_weight_0_plus_sum_weight_1_d1;
+    wire [31:0] add_f32_ftz_unit_a_choice_3 = add_f32_ftz_unit_phase[1] ? add_f32_ftz_unit_a_choice_2 : add_f32_ftz_unit_phase[0] ? sum_weight_0_d1 : in_sum_normals_x_0;
+    wire [31:0] add_f32_ftz_unit_b_choice = add_f32_ftz_unit_phase_copy2[0] ? a_x_sum_plus_a_x_sum_d1_copy2 : a_x_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_b_choice_2 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_copy2_y : add_f32_ftz_unit_b_choice;
+    wire [31:0] add_f32_ftz_unit_b_choice_3 = add_f32_ftz_unit_phase_copy2[0] ? sum_points_x_3_d1 : sum_weight_2_plus_sum_weight_3_d1;
+    wire [31:0] add_f32_ftz_unit_b_choice_4 = add_f32_ftz_unit_phase_copy2[0] ? sum_weight_1_d1 : in_sum_normals_x_1;
+    wire [31:0] add_f32_ftz_unit_b_choice_5 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_b_choice_3 : add_f32_ftz_unit_b_choice_4;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice = add_f32_ftz_unit_copy2_phase[0] ? a_y_sum_plus_a_y_sum_d1 : a_x_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_2 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy2_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_3 = add_f32_ftz_unit_copy2_phase[0] ? sum_points_x_4_d1 : sum_weight_4_plus_sum_weight_5_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_4 = add_f32_ftz_unit_copy2_phase[0] ? sum_weight_2_d1 : in_sum_normals_x_2;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_5 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy2_a_choice_3 : add_f32_ftz_unit_copy2_a_choice_4;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice = add_f32_ftz_unit_copy2_phase_copy2[0] ? a_y_sum_plus_a_y_sum_d1_copy2 : a_x_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_2 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy2_b_choice;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_3 = add_f32_ftz_unit_copy2_phase_copy2[0] ? sum_points_x_5_d1 : sum_weight_6_plus_sum_weight_7_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_4 = add_f32_ftz_unit_copy2_phase_copy2[0] ? sum_weight_3_d1 : in_sum_normals_x_3;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_5 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy2_b_choice_3 : add_f32_ftz_unit_copy2_b_choice_4;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice = add_f32_ftz_unit_copy3_phase[0] ? add_f32_ftz_unit_copy5_y : a_x_times_n_x_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_2 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice : add_f32_ftz_unit_copy3_phase[0] ? a_z_sum_d1 : a_y_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_3 = add_f32_ftz_unit_copy3_phase[0] ? sum_points_x_6_d1 : inverse_weight_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_4 = add_f32_ftz_unit_copy3_phase[0] ? sum_weight_4_d1 : in_sum_normals_x_4;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_5 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice_3 : add_f32_ftz_unit_copy3_a_choice_4;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice = add_f32_ftz_unit_copy3_phase_copy2[0] ? add_f32_ftz_unit_copy6_y : a_y_times_n_y_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_2 = add_f32_ftz_unit_copy3_phase_copy2[0] ? a_z_sum_d1_copy2 : a_y_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_3 = add_f32_ftz_unit_copy3_phase_copy2[1] ? add_f32_ftz_unit_copy3_b_choice : add_f32_ftz_unit_copy3_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_4 = add_f32_ftz_unit_copy3_phase_copy2[0] ? sum_points_x_7_d1 : inverse_weight_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_5 = add_f32_ftz_unit_copy3_phase_copy2[0] ? sum_weight_5_d1 : in_sum_normals_x_5;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_6 = add_f32_ftz_unit_copy3_phase_copy2[1] ? add_f32_ftz_unit_copy3_b_choice_4 : add_f32_ftz_unit_copy3_b_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice = add_f32_ftz_unit_copy4_phase[0] ? add_f32_ftz_unit_copy7_y : a_z_times_n_z_d2;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_2 = add_f32_ftz_unit_copy4_phase[0] ? a_z_sum_d1_copy3 : a_y_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_3 = add_f32_ftz_unit_copy4_phase[1] ? add_f32_ftz_unit_copy4_a_choice : add_f32_ftz_unit_copy4_a_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_4 = add_f32_ftz_unit_copy4_phase[0] ? sum_points_y_0_d1 : sum_points_x_0_d1;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_5 = add_f32_ftz_unit_copy4_phase[0] ? sum_weight_6_d1 : in_sum_normals_x_6;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_6 = add_f32_ftz_unit_copy4_phase[1] ? add_f32_ftz_unit_copy4_a_choice_4 : add_f32_ftz_unit_copy4_a_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice = add_f32_ftz_unit_copy4_phase_copy2[0] ? add_f32_ftz_unit_copy8_y : residual_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_2 = add_f32_ftz_unit_copy4_phase_copy2[0] ? a_z_sum_d1_copy4 : a_y_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_3 = add_f32_ftz_unit_copy4_phase_copy2[1] ? add_f32_ftz_unit_copy4_b_choice : add_f32_ftz_unit_copy4_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_4 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_points_y_1_d1 : sum_points_x_1_d1;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_5 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_weight_7_d1 : in_sum_normals_x_7;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_6 = add_f32_ftz_unit_copy4_phase_copy2[1] ? add_f32_ftz_unit_copy4_b_choice_4 : add_f32_ftz_unit_copy4_b_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice = add_f32_ftz_unit_copy5_phase[0] ? a_z_sum_plus_a_z_sum_d1 : sum_points_z_0_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_2 = add_f32_ftz_unit_copy5_phase[1] ? (add_f32_ftz_unit_copy5_phase[0] ? mul_f32_ftz_unit_y : a_x_d1) : add_f32_ftz_unit_copy5_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_3 = add_f32_ftz_unit_copy5_phase[0] ? sum_points_y_2_d1 : magnitude_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_4 = add_f32_ftz_unit_copy5_phase[0] ? sum_normals_z_0_d1 : in_sum_normals_y_0;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_5 = add_f32_ftz_unit_copy5_phase[1] ? add_f32_ftz_unit_copy5_a_choice_3 : add_f32_ftz_unit_copy5_a_choice_4;
     wire [31:0] moved_by_x_d7 = delay_7_from_4_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? mul_f32_ftz_unit_copy2_y : moved_by_x_d7) : phase[0] ? a_z_sum_plus_a_z_sum_d1_copy2 : sum_points_z_1_d1;
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? sum_points_y_3_d1 : magnitude_sum_d1_copy2) : phase[0] ? sum_normals_z_1_d1 : in_sum_normals_y_1;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice = add_f32_ftz_unit_copy5_phase_copy2[0] ? mul_f32_ftz_unit_copy2_y : moved_by_x_d7;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_2 = add_f32_ftz_unit_copy5_phase_copy2[0] ? a_z_sum_plus_a_z_sum_d1_copy2 : sum_points_z_1_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_3 = add_f32_ftz_unit_copy5_phase_copy2[1] ? add_f32_ftz_unit_copy5_b_choice : add_f32_ftz_unit_copy5_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_4 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_points_y_3_d1 : magnitude_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_5 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_normals_z_1_d1 : in_sum_normals_y_1;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_6 = add_f32_ftz_unit_copy5_phase_copy2[1] ? add_f32_ftz_unit_copy5_b_choice_4 : add_f32_ftz_unit_copy5_b_choice_5;
     wire [31:0] state_start_x_d13 = delay_12_from_0_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? state_start_x_d13 : a_y_d1) : phase[0] ? query_position_x_d1 : sum_points_z_2_d1;
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? sum_points_y_4_d1 : magnitude_sum_d1_copy4) : phase[0] ? sum_normals_z_2_d1 : in_sum_normals_y_2;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice = add_f32_ftz_unit_copy6_phase[0] ? query_position_x_d1 : sum_points_z_2_d1;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_2 = add_f32_ftz_unit_copy6_phase[1] ? (add_f32_ftz_unit_copy6_phase[0] ? state_start_x_d13 : a_y_d1) : add_f32_ftz_unit_copy6_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_3 = add_f32_ftz_unit_copy6_phase[0] ? sum_points_y_4_d1 : magnitude_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_4 = add_f32_ftz_unit_copy6_phase[0] ? sum_normals_z_2_d1 : in_sum_normals_y_2;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_5 = add_f32_ftz_unit_copy6_phase[1] ? add_f32_ftz_unit_copy6_a_choice_3 : add_f32_ftz_unit_copy6_a_choice_4;
     wire [31:0] moved_by_y_d7 = delay_7_from_4_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice = phase[0] ? {~state_start_x_d1[31], state_start_x_d1[30:0]} : sum_points_z_3_d1;
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mul_f32_ftz_unit_copy3_y : moved_by_y_d7) : add_f32_ftz_unit_copy6_b_choice;
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice_3 = phase[1] ? (phase[0] ? sum_points_y_5_d1 : magnitude_sum_d1_copy5) : phase[0] ? sum_normals_z_3_d1 : in_sum_normals_y_3;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice = add_f32_ftz_unit_copy6_phase_copy2[0] ? mul_f32_ftz_unit_copy3_y : moved_by_y_d7;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_2 = add_f32_ftz_unit_copy6_phase_copy2[0] ? {~state_start_x_d1[31], state_start_x_d1[30:0]} : sum_points_z_3_d1;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_3 = add_f32_ftz_unit_copy6_phase_copy2[1] ? add_f32_ftz_unit_copy6_b_choice : add_f32_ftz_unit_copy6_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_4 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_points_y_5_d1 : magnitude_sum_d1_copy5;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_5 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_normals_z_3_d1 : in_sum_normals_y_3;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_6 = add_f32_ftz_unit_copy6_phase_copy2[1] ? add_f32_ftz_unit_copy6_b_choice_4 : add_f32_ftz_unit_copy6_b_choice_5;
     wire [31:0] state_start_y_d13 = delay_12_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? state_start_y_d13 : a_z_d1) : phase[0] ? query_position_y_d1 : sum_points_z_4_d1;
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice_2 = phase[1] ? (phase[0] ? sum_points_y_6_d1 : magnitude_sum_d1_copy3) : phase[0] ? sum_normals_z_4_d1 : in_sum_normals_y_4;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice = add_f32_ftz_unit_copy7_phase[0] ? query_position_y_d1 : sum_points_z_4_d1;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_2 = add_f32_ftz_unit_copy7_phase[1] ? (add_f32_ftz_unit_copy7_phase[0] ? state_start_y_d13 : a_z_d1) : add_f32_ftz_unit_copy7_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_3 = add_f32_ftz_unit_copy7_phase[0] ? sum_points_y_6_d1 : magnitude_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_4 = add_f32_ftz_unit_copy7_phase[0] ? sum_normals_z_4_d1 : in_sum_normals_y_4;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_5 = add_f32_ftz_unit_copy7_phase[1] ? add_f32_ftz_unit_copy7_a_choice_3 : add_f32_ftz_unit_copy7_a_choice_4;
     wire [31:0] moved_by_z_d7 = delay_7_from_4_out[95:64];
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice = phase[0] ? {~state_start_y_d1[31], state_start_y_d1[30:0]} : sum_points_z_5_d1;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_2 = phase[1] ? (phase[0] ? step_y_d1 : moved_by_z_d7) : add_f32_ftz_unit_copy7_b_choice;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_3 = phase[1] ? (phase[0] ? sum_points_y_7_d1 : magnitude_sum_d1_copy6) : phase[0] ? sum_normals_z_5_d1 : in_sum_normals_y_5;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice = add_f32_ftz_unit_copy7_phase_copy2[0] ? step_y_d1 : moved_by_z_d7;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_2 = add_f32_ftz_unit_copy7_phase_copy2[0] ? {~state_start_y_d1[31], state_start_y_d1[30:0]} : sum_points_z_5_d1;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_3 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice : add_f32_ftz_unit_copy7_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_4 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_points_y_7_d1 : magnitude_sum_d1_copy6;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_5 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_normals_z_5_d1 : in_sum_normals_y_5;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_6 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice_4 : add_f32_ftz_unit_copy7_b_choice_5;
     wire [31:0] state_start_z_d13 = delay_12_from_0_out[95:64];
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice = phase[1] ? (phase[0] ? state_start_z_d13 : n_z_times_from_start_z_d1) : phase[0] ? query_position_z_d1 : sum_points_z_6_d1;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_2 = phase[1] ? (phase[0] ? mul_f32_ftz_unit_copy2_y : mul_f32_ftz_unit_y) : phase[0] ? sum_normals_z_6_d1 : in_sum_normals_y_6;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice = phase[0] ? {~state_start_z_d1[31], state_start_z_d1[30:0]} : sum_points_z_7_d1;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_2 = phase[1] ? (phase[0] ? step_z_d1 : add_f32_ftz_unit_copy5_y) : add_f32_ftz_unit_copy8_b_choice;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_3 = phase[1] ? (phase[0] ? mul_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy8_y) : phase[0] ? sum_normals_z_7_d1 : in_sum_normals_y_7;
-    wire [31:0] mul_f32_ftz_unit_a_choice = phase[1] ? (phase[0] ? n_z_d3 : inverse_weight_d1) : phase[0] ? recip_f32_ftz_unit_y : magnitude_sum_d1_copy7;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice = add_f32_ftz_unit_copy8_phase[0] ? state_start_z_d13 : n_z_times_from_start_z_d1;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice_2 = add_f32_ftz_unit_copy8_phase[0] ? query_position_z_d1 : sum_points_z_6_d1;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice_3 = add_f32_ftz_unit_copy8_phase[1] ? add_f32_ftz_unit_copy8_a_choice : add_f32_ftz_unit_copy8_a_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice_4 = add_f32_ftz_unit_copy8_phase[0] ? mul_f32_ftz_unit_copy2_y : mul_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice_5 = add_f32_ftz_unit_copy8_phase[0] ? sum_normals_z_6_d1 : in_sum_normals_y_6;
+    wire [31:0] add_f32_ftz_unit_copy8_a_choice_6 = add_f32_ftz_unit_copy8_phase[1] ? add_f32_ftz_unit_copy8_a_choice_4 : add_f32_ftz_unit_copy8_a_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice = add_f32_ftz_unit_copy8_phase_copy2[0] ? step_z_d1 : add_f32_ftz_unit_copy5_y;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice_2 = add_f32_ftz_unit_copy8_phase_copy2[0] ? {~state_start_z_d1[31], state_start_z_d1[30:0]} : sum_points_z_7_d1;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice_3 = add_f32_ftz_unit_copy8_phase_copy2[1] ? add_f32_ftz_unit_copy8_b_choice : add_f32_ftz_unit_copy8_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice_4 = add_f32_ftz_unit_copy8_phase_copy2[0] ? mul_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy8_y;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice_5 = add_f32_ftz_unit_copy8_phase_copy2[0] ? sum_normals_z_7_d1 : in_sum_normals_y_7;
+    wire [31:0] add_f32_ftz_unit_copy8_b_choice_6 = add_f32_ftz_unit_copy8_phase_copy2[1] ? add_f32_ftz_unit_copy8_b_choice_4 : add_f32_ftz_unit_copy8_b_choice_5;
+    wire [31:0] mul_f32_ftz_unit_a_choice = mul_f32_ftz_unit_phase[0] ? recip_f32_ftz_unit_y : magnitude_sum_d1_copy7;
+    wire [31:0] mul_f32_ftz_unit_a_choice_2 = mul_f32_ftz_unit_phase[1] ? (mul_f32_ftz_unit_phase[0] ? n_z_d3 : inverse_weight_d1) : mul_f32_ftz_unit_a_choice;
     wire [31:0] magnitude_sum_d6 = delay_6_from_5_out[31:0];
-    wire [31:0] mul_f32_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? magnitude_sum_d6 : a_x_d2) : mul_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_b_choice = phase[1] ? (phase[0] ? along_d1 : a_y_sum_d4) : phase[0] ? a_x_sum_d4 : magnitude_sum_d1_copy7;
-    wire [31:0] mul_f32_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? rsqrt_f32_ftz_unit_y : n_x_d1) : from_start_x_d1;
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice = phase[1] ? inverse_weight_d1 : phase[0] ? add_f32_ftz_unit_y : a_z_d2;
+    wire [31:0] mul_f32_ftz_unit_a_choice_3 = mul_f32_ftz_unit_phase[1] ? (mul_f32_ftz_unit_phase[0] ? magnitude_sum_d6 : a_x_d2) : mul_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_b_choice = mul_f32_ftz_unit_phase_copy2[0] ? a_x_sum_d4 : magnitude_sum_d1_copy7;
+    wire [31:0] mul_f32_ftz_unit_b_choice_2 = mul_f32_ftz_unit_phase_copy2[1] ? (mul_f32_ftz_unit_phase_copy2[0] ? along_d1 : a_y_sum_d4) : mul_f32_ftz_unit_b_choice;
+    wire [31:0] mul_f32_ftz_unit_b_choice_3 = mul_f32_ftz_unit_phase_copy2[1] ? (mul_f32_ftz_unit_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : n_x_d1) : from_start_x_d1;
+    wire [31:0] mul_f32_ftz_unit_copy2_a_choice = mul_f32_ftz_unit_copy2_phase[1] ? inverse_weight_d1 : mul_f32_ftz_unit_copy2_phase[0] ? add_f32_ftz_unit_y : a_z_d2;
     wire [31:0] magnitude_sum_d6_copy2 = delay_6_from_5_out[63:32];
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? magnitude_sum_d6_copy2 : a_y_d2) : mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? rsqrt_f32_ftz_unit_y : n_y_d1) : from_start_y_d1;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? n_y_d3 : add_f32_ftz_unit_copy2_y) : phase[0] ? add_f32_ftz_unit_copy2_y : delay_5_from_1_out;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? along_d1 : add_f32_ftz_unit_copy2_y) : phase[0] ? add_f32_ftz_unit_copy2_y : rsqrt_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? rsqrt_f32_ftz_unit_y : from_start_z_d1) : along_d1;
+    wire [31:0] mul_f32_ftz_unit_copy2_a_choice_2 = mul_f32_ftz_unit_copy2_phase[0] ? magnitude_sum_d6_copy2 : a_y_d2;
+    wire [31:0] mul_f32_ftz_unit_copy2_a_choice_3 = mul_f32_ftz_unit_copy2_phase[1] ? mul_f32_ftz_unit_copy2_a_choice_2 : mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy2_b_choice = mul_f32_ftz_unit_copy2_phase_copy2[0] ? add_f32_ftz_unit_y : n_z_d1;
+    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_2 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? a_z_sum_d4 : mul_f32_ftz_unit_copy2_b_choice;
+    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_3 = mul_f32_ftz_unit_copy2_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : n_y_d1;
+    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_4 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? mul_f32_ftz_unit_copy2_b_choice_3 : from_start_y_d1;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice = mul_f32_ftz_unit_copy3_phase[0] ? n_y_d3 : add_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_2 = mul_f32_ftz_unit_copy3_phase[0] ? add_f32_ftz_unit_copy2_y : delay_5_from_1_out;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_3 = mul_f32_ftz_unit_copy3_phase[1] ? mul_f32_ftz_unit_copy3_a_choice : mul_f32_ftz_unit_copy3_a_choice_2;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_4 = mul_f32_ftz_unit_copy3_phase[1] ? (mul_f32_ftz_unit_copy3_phase[0] ? delay_5_from_1_out : n_z_d1) : n_x_d3;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice = mul_f32_ftz_unit_copy3_phase_copy2[0] ? along_d1 : add_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_2 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? add_f32_ftz_unit_copy2_y : rsqrt_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_3 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice : mul_f32_ftz_unit_copy3_b_choice_2;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_4 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : from_start_z_d1;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_5 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice_4 : along_d1;
+    wire [31:0] lt_f32_ftz_unit_a_choice = lt_f32_ftz_unit_phase[1] ? distance : lt_f32_ftz_unit_phase[0] ? distance : 32'd0;
+    wire [31:0] lt_f32_ftz_unit_a_choice_2 = lt_f32_ftz_unit_phase[0] ? 32'd0 : 32'd0;
+    wire [31:0] lt_f32_ftz_unit_a_choice_3 = lt_f32_ftz_unit_phase[1] ? lt_f32_ftz_unit_a_choice_2 : lt_f32_ftz_unit_a_choice_2;
+    wire [31:0] lt_f32_ftz_unit_b_choice = lt_f32_ftz_unit_phase[1] ? (lt_f32_ftz_unit_phase[0] ? 32'h7e967699 : 32'h7e967699) : lt_f32_ftz_unit_phase[0] ? 32'h7e967699 : magnitude_d1;
+    wire [31:0] lt_f32_ftz_unit_b_choice_2 = lt_f32_ftz_unit_phase[1] ? magnitude_d1 : add_f32_ftz_unit_copy3_y;
     wire there = weighs_d3 & lt_f32_ftz_unit_y;
 
-    assign in_ready = load_0;
+    assign {out_thread, out_output_position_x, out_output_position_y, out_output_position_z} = queue_1_out_data;
+    assign {out_output_normal_x, out_output_normal_y, out_output_normal_z, out_output_residual} = queue_2_out_data;
     assign {
-        out_thread, out_output_position_x, out_output_position_y, out_output_position_z, out_output_normal_x,
-        out_output_normal_y, out_output_normal_z, out_output_residual, out_output_valid, out_moved_position_x,
-        out_moved_position_y, out_moved_position_z, out_move, out_done, out_search
-    } = queue_out_data;
-
-    stream_skid_w331 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight_13_and_phase_is_6), .in_ready(queue_in_ready),
-        .in_data({
-            delay_14_from_0_out, surface_x, surface_y, surface_z, normal_x_d1, normal_y_d1, normal_z_d1,
-            residual_there_d1, valid_d1, surface_x, surface_y, surface_z, 1'd1, finished_d1, 1'd1
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_output_valid, out_moved_position_x, out_moved_position_y, out_moved_position_z, out_move,
+        out_done, out_search
+    } = queue_3_out_data;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b),
-        .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .y(recip_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .y(recip_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_a), .b(mul_f32_ftz_unit_b),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_a), .b(mul_f32_ftz_unit_b), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_a), .b(mul_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy2_a), .b(mul_f32_ftz_unit_copy2_b),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_rsqrt_s26_f32ftz rsqrt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .y(rsqrt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_y), .y(rsqrt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b),
-        .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b), .y(lt_f32_ftz_unit_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(distance), .b(setting_tolerance), .y(le_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(distance), .b(setting_tolerance), .y(le_f32_ftz_unit_y)
+    );
+
+    stream_fifo_d15_w103_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({delay_14_from_0_out, surface_x, surface_y, surface_z}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d15_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({normal_x_d1, normal_y_d1, normal_z_d1, residual_there_d1}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d15_w100_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({valid_d1, surface_x, surface_y, surface_z, 1'd1, finished_d1, 1'd1}),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 3'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_5 <= 1'd0;
-            load_7 <= 1'd0;
+            credits <= 5'd14;
+            phases_1 <= 8'd1;
             delay_12_from_0_pointer <= 4'd0;
+            phases_2 <= 8'd1;
             delay_13_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
             delay_5_from_1_pointer <= 2'd0;
             delay_7_from_4_pointer <= 3'd0;
             delay_6_from_5_pointer <= 3'd0;
             delay_8_from_5_pointer <= 3'd0;
+            phases_3 <= 8'd1;
+            phases_4 <= 8'd1;
+            phases_5 <= 8'd1;
+            phases_6 <= 8'd1;
+            phases_7 <= 8'd1;
+            phases_8 <= 8'd1;
+            phases_9 <= 8'd1;
+            phases_10 <= 8'd1;
+            phases_11 <= 8'd1;
+            phases_12 <= 8'd1;
+            phases_13 <= 8'd1;
+            phases_14 <= 8'd1;
+            phases_15 <= 8'd1;
+            phases_16 <= 8'd1;
+            phases_17 <= 8'd1;
+            phases_18 <= 8'd1;
+            add_f32_ftz_unit_phase <= 3'd0;
+            add_f32_ftz_unit_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy2_phase <= 3'd0;
+            add_f32_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy3_phase <= 3'd0;
+            add_f32_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy4_phase <= 3'd0;
+            add_f32_ftz_unit_copy4_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy5_phase <= 3'd0;
+            add_f32_ftz_unit_copy5_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy6_phase <= 3'd0;
+            add_f32_ftz_unit_copy6_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy7_phase <= 3'd0;
+            add_f32_ftz_unit_copy7_phase_copy2 <= 3'd0;
+            add_f32_ftz_unit_copy8_phase <= 3'd0;
+            add_f32_ftz_unit_copy8_phase_copy2 <= 3'd0;
+            mul_f32_ftz_unit_phase <= 3'd0;
+            mul_f32_ftz_unit_phase_copy2 <= 3'd0;
+            mul_f32_ftz_unit_copy2_phase <= 3'd0;
+            mul_f32_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            mul_f32_ftz_unit_copy3_phase <= 3'd0;
+            mul_f32_ftz_unit_copy3_phase_copy2 <= 3'd0;
+            lt_f32_ftz_unit_phase <= 3'd0;
             in_flight <= 14'd0;
+            left <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 3'd0);
-            load_1 <= advance_next & (phase_next == 3'd1);
-            load_2 <= advance_next & (phase_next == 3'd2);
-            load_3 <= advance_next & (phase_next == 3'd3);
-            load_4 <= advance_next & (phase_next == 3'd4);
-            load_5 <= advance_next & (phase_next == 3'd5);
-            load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) begin
+            credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left};
+            phases_1 <= {phases_1[6:0], phases_1[7]};
+            phases_2 <= {phases_2[6:0], phases_2[7]};
+            phases_3 <= {phases_3[6:0], phases_3[7]};
+            phases_4 <= {phases_4[6:0], phases_4[7]};
+            phases_5 <= {phases_5[6:0], phases_5[7]};
+            phases_6 <= {phases_6[6:0], phases_6[7]};
+            phases_7 <= {phases_7[6:0], phases_7[7]};
+            phases_8 <= {phases_8[6:0], phases_8[7]};
+            phases_9 <= {phases_9[6:0], phases_9[7]};
+            phases_10 <= {phases_10[6:0], phases_10[7]};
+            phases_11 <= {phases_11[6:0], phases_11[7]};
+            phases_12 <= {phases_12[6:0], phases_12[7]};
+            phases_13 <= {phases_13[6:0], phases_13[7]};
+            phases_14 <= {phases_14[6:0], phases_14[7]};
+            phases_15 <= {phases_15[6:0], phases_15[7]};
+            phases_16 <= {phases_16[6:0], phases_16[7]};
+            phases_17 <= {phases_17[6:0], phases_17[7]};
+            phases_18 <= {phases_18[6:0], phases_18[7]};
+            add_f32_ftz_unit_phase <= (add_f32_ftz_unit_phase == 3'd7) ? (add_f32_ftz_unit_phase - 3'd7) : (add_f32_ftz_unit_phase + 3'd1);
+            add_f32_ftz_unit_phase_copy2 <= (add_f32_ftz_unit_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_phase_copy2 - 3'd7) : (add_f32_ftz_unit_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy2_phase <= (add_f32_ftz_unit_copy2_phase == 3'd7) ? (add_f32_ftz_unit_copy2_phase - 3'd7) : (add_f32_ftz_unit_copy2_phase + 3'd1);
+            add_f32_ftz_unit_copy2_phase_copy2 <= (add_f32_ftz_unit_copy2_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy2_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy2_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy3_phase <= (add_f32_ftz_unit_copy3_phase == 3'd7) ? (add_f32_ftz_unit_copy3_phase - 3'd7) : (add_f32_ftz_unit_copy3_phase + 3'd1);
+            add_f32_ftz_unit_copy3_phase_copy2 <= (add_f32_ftz_unit_copy3_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy3_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy3_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy4_phase <= (add_f32_ftz_unit_copy4_phase == 3'd7) ? (add_f32_ftz_unit_copy4_phase - 3'd7) : (add_f32_ftz_unit_copy4_phase + 3'd1);
+            add_f32_ftz_unit_copy4_phase_copy2 <= (add_f32_ftz_unit_copy4_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy4_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy4_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy5_phase <= (add_f32_ftz_unit_copy5_phase == 3'd7) ? (add_f32_ftz_unit_copy5_phase - 3'd7) : (add_f32_ftz_unit_copy5_phase + 3'd1);
+            add_f32_ftz_unit_copy5_phase_copy2 <= (add_f32_ftz_unit_copy5_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy5_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy5_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy6_phase <= (add_f32_ftz_unit_copy6_phase == 3'd7) ? (add_f32_ftz_unit_copy6_phase - 3'd7) : (add_f32_ftz_unit_copy6_phase + 3'd1);
+            add_f32_ftz_unit_copy6_phase_copy2 <= (add_f32_ftz_unit_copy6_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy6_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy6_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy7_phase <= (add_f32_ftz_unit_copy7_phase == 3'd7) ? (add_f32_ftz_unit_copy7_phase - 3'd7) : (add_f32_ftz_unit_copy7_phase + 3'd1);
+            add_f32_ftz_unit_copy7_phase_copy2 <= (add_f32_ftz_unit_copy7_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy7_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy7_phase_copy2 + 3'd1);
+            add_f32_ftz_unit_copy8_phase <= (add_f32_ftz_unit_copy8_phase == 3'd7) ? (add_f32_ftz_unit_copy8_phase - 3'd7) : (add_f32_ftz_unit_copy8_phase + 3'd1);
+            add_f32_ftz_unit_copy8_phase_copy2 <= (add_f32_ftz_unit_copy8_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy8_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy8_phase_copy2 + 3'd1);
+            mul_f32_ftz_unit_phase <= (mul_f32_ftz_unit_phase == 3'd7) ? (mul_f32_ftz_unit_phase - 3'd7) : (mul_f32_ftz_unit_phase + 3'd1);
+            mul_f32_ftz_unit_phase_copy2 <= (mul_f32_ftz_unit_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_phase_copy2 + 3'd1);
+            mul_f32_ftz_unit_copy2_phase <= (mul_f32_ftz_unit_copy2_phase == 3'd7) ? (mul_f32_ftz_unit_copy2_phase - 3'd7) : (mul_f32_ftz_unit_copy2_phase + 3'd1);
+            mul_f32_ftz_unit_copy2_phase_copy2 <= (mul_f32_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_copy2_phase_copy2 + 3'd1);
+            mul_f32_ftz_unit_copy3_phase <= (mul_f32_ftz_unit_copy3_phase == 3'd7) ? (mul_f32_ftz_unit_copy3_phase - 3'd7) : (mul_f32_ftz_unit_copy3_phase + 3'd1);
+            mul_f32_ftz_unit_copy3_phase_copy2 <= (mul_f32_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_copy3_phase_copy2 + 3'd1);
+            lt_f32_ftz_unit_phase <= (lt_f32_ftz_unit_phase == 3'd7) ? (lt_f32_ftz_unit_phase - 3'd7) : (lt_f32_ftz_unit_phase + 3'd1);
+            left <= out_valid & out_ready;
+            if (phases_1[0]) begin
                 delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
-                delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
                 delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
-                in_flight <= {in_flight[12:0], in_valid};
+                in_flight <= {in_flight[12:0], in_valid_and_in_ready};
             end
-            if (load_1) begin
+            if (phases_2[0]) begin
+                delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
+            end
+            if (phases_1[1]) begin
                 delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
             end
-            if (load_4) begin
+            if (phases_1[4]) begin
                 delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
             end
-            if (load_5) begin
+            if (phases_1[5]) begin
                 delay_6_from_5_pointer <= (delay_6_from_5_pointer == 3'd4) ? (delay_6_from_5_pointer - 3'd4) : (delay_6_from_5_pointer + 3'd1);
                 delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_3[0]) begin
             query_position_x_d1 <= in_query_position_x;
             query_position_y_d1 <= in_query_position_y;
             query_position_z_d1 <= in_query_position_z;
             state_start_x_d1 <= in_state_start_x;
+        end
+        if (phases_4[0]) begin
             state_start_y_d1 <= in_state_start_y;
             state_start_z_d1 <= in_state_start_z;
             sum_weight_0_d1 <= in_sum_weight_0;
             sum_weight_1_d1 <= in_sum_weight_1;
+        end
+        if (phases_5[0]) begin
             sum_weight_2_d1 <= in_sum_weight_2;
             sum_weight_3_d1 <= in_sum_weight_3;
             sum_weight_4_d1 <= in_sum_weight_4;
             sum_weight_5_d1 <= in_sum_weight_5;
+        end
+        if (phases_6[0]) begin
             sum_weight_6_d1 <= in_sum_weight_6;
             sum_weight_7_d1 <= in_sum_weight_7;
             sum_points_x_0_d1 <= in_sum_points_x_0;
             sum_points_x_1_d1 <= in_sum_points_x_1;
+        end
+        if (phases_7[0]) begin
             sum_points_x_2_d1 <= in_sum_points_x_2;
             sum_points_x_3_d1 <= in_sum_points_x_3;
             sum_points_x_4_d1 <= in_sum_points_x_4;
             sum_points_x_5_d1 <= in_sum_points_x_5;
+        end
+        if (phases_8[0]) begin
             sum_points_x_6_d1 <= in_sum_points_x_6;
             sum_points_x_7_d1 <= in_sum_points_x_7;
             sum_points_y_0_d1 <= in_sum_points_y_0;
             sum_points_y_1_d1 <= in_sum_points_y_1;
+        end
+        if (phases_9[0]) begin
             sum_points_y_2_d1 <= in_sum_points_y_2;
             sum_points_y_3_d1 <= in_sum_points_y_3;
             sum_points_y_4_d1 <= in_sum_points_y_4;
             sum_points_y_5_d1 <= in_sum_points_y_5;
+        end
+        if (phases_10[0]) begin
             sum_points_y_6_d1 <= in_sum_points_y_6;
             sum_points_y_7_d1 <= in_sum_points_y_7;
             sum_points_z_0_d1 <= in_sum_points_z_0;
             sum_points_z_1_d1 <= in_sum_points_z_1;
+        end
+        if (phases_11[0]) begin
             sum_points_z_2_d1 <= in_sum_points_z_2;
             sum_points_z_3_d1 <= in_sum_points_z_3;
             sum_points_z_4_d1 <= in_sum_points_z_4;
             sum_points_z_5_d1 <= in_sum_points_z_5;
+        end
+        if (phases_12[0]) begin
             sum_points_z_6_d1 <= in_sum_points_z_6;
             sum_points_z_7_d1 <= in_sum_points_z_7;
             sum_normals_z_0_d1 <= in_sum_normals_z_0;
             sum_normals_z_1_d1 <= in_sum_normals_z_1;
+        end
+        if (phases_13[0]) begin
             sum_normals_z_2_d1 <= in_sum_normals_z_2;
             sum_normals_z_3_d1 <= in_sum_normals_z_3;
             sum_normals_z_4_d1 <= in_sum_normals_z_4;
             sum_normals_z_5_d1 <= in_sum_normals_z_5;
+        end
+        if (phases_14[0]) begin
             sum_normals_z_6_d1 <= in_sum_normals_z_6;
             sum_normals_z_7_d1 <= in_sum_normals_z_7;
             sum_weight_0_plus_sum_weight_1_d1 <= add_f32_ftz_unit_y;
             sum_weight_2_plus_sum_weight_3_d1 <= add_f32_ftz_unit_copy2_y;
+        end
+        if (phases_1[1]) begin
+            inverse_weight_sum_d1 <= add_f32_ftz_unit_y;
+            inverse_weight_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+        end
+        if (phases_15[0]) begin
             sum_weight_4_plus_sum_weight_5_d1 <= add_f32_ftz_unit_copy3_y;
             sum_weight_6_plus_sum_weight_7_d1 <= add_f32_ftz_unit_copy4_y;
             magnitude_sum_d1 <= add_f32_ftz_unit_copy5_y;
             magnitude_sum_d1_copy2 <= add_f32_ftz_unit_copy6_y;
-            magnitude_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
-            magnitude_sum_d1_copy5 <= add_f32_ftz_unit_copy8_y;
-            a_x_times_n_x_d1 <= mul_f32_ftz_unit_y;
-            a_y_times_n_y_d1 <= mul_f32_ftz_unit_copy2_y;
-            valid_d1 <= valid;
-            n_z_times_from_start_z_d1 <= mul_f32_ftz_unit_copy3_y;
-            normal_x_d1 <= normal_x;
-            normal_y_d1 <= normal_y;
-            normal_z_d1 <= normal_z;
-            residual_there_d1 <= residual_there;
-            finished_d1 <= finished;
         end
-        if (load_1) begin
-            inverse_weight_sum_d1 <= add_f32_ftz_unit_y;
-            inverse_weight_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+        if (phases_1[5]) inverse_weight_d1 <= recip_f32_ftz_unit_y;
+        if (phases_2[1]) begin
             a_x_sum_d1 <= add_f32_ftz_unit_copy4_y;
             magnitude_sum_d1_copy3 <= add_f32_ftz_unit_copy5_y;
             magnitude_sum_d1_copy6 <= add_f32_ftz_unit_copy6_y;
             magnitude_sum_d1_copy7 <= add_f32_ftz_unit_copy7_y;
+        end
+        if (phases_1[2]) begin
+            a_x_sum_d1_copy2 <= add_f32_ftz_unit_y;
+            a_x_sum_d1_copy3 <= add_f32_ftz_unit_copy2_y;
+            a_x_sum_d1_copy4 <= add_f32_ftz_unit_copy3_y;
+            a_y_sum_d1 <= add_f32_ftz_unit_copy4_y;
+        end
+        if (phases_1[3]) begin
+            a_x_sum_plus_a_x_sum_d1 <= add_f32_ftz_unit_y;
+            a_x_sum_plus_a_x_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+            a_y_sum_plus_a_y_sum_d1 <= add_f32_ftz_unit_copy3_y;
+            a_y_sum_plus_a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
+        end
+        if (phases_2[4]) begin
+            a_x_sum_d1_copy5 <= add_f32_ftz_unit_y;
+            a_x_sum_d2 <= a_x_sum_d1_copy5;
+            a_x_sum_d3 <= a_x_sum_d2;
+            a_x_sum_d4 <= a_x_sum_d3;
+        end
+        if (phases_2[2]) begin
+            a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy5_y;
+            a_y_sum_d1_copy3 <= add_f32_ftz_unit_copy6_y;
+            a_y_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
+            a_z_times_n_z_d1 <= mul_f32_ftz_unit_copy2_y;
+        end
+        if (phases_3[4]) begin
+            a_y_sum_d1_copy5 <= add_f32_ftz_unit_copy2_y;
+            a_y_sum_d2 <= a_y_sum_d1_copy5;
+            a_y_sum_d3 <= a_y_sum_d2;
+            a_y_sum_d4 <= a_y_sum_d3;
+        end
+        if (phases_2[3]) begin
+            a_z_sum_d1 <= add_f32_ftz_unit_copy5_y;
+            a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy6_y;
+            a_z_sum_d1_copy3 <= add_f32_ftz_unit_copy7_y;
+            a_z_sum_d1_copy4 <= add_f32_ftz_unit_copy8_y;
+        end
+        if (phases_4[4]) begin
+            a_z_sum_plus_a_z_sum_d1 <= add_f32_ftz_unit_copy3_y;
+            a_z_sum_plus_a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
+            a_z_sum_d1_copy5 <= add_f32_ftz_unit_copy5_y;
+            a_z_sum_d2 <= a_z_sum_d1_copy5;
+        end
+        if (phases_5[4]) begin
+            a_z_sum_d3 <= a_z_sum_d2;
+            a_z_sum_d4 <= a_z_sum_d3;
+            a_y_d1 <= mul_f32_ftz_unit_y;
+            a_y_d2 <= a_y_d1;
+        end
+        if (phases_3[3]) begin
+            a_x_d1 <= mul_f32_ftz_unit_y;
+            a_x_d2 <= a_x_d1;
+        end
+        if (phases_6[4]) begin
+            a_z_d1 <= mul_f32_ftz_unit_copy2_y;
+            a_z_d2 <= a_z_d1;
+        end
+        if (phases_16[0]) begin
+            magnitude_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
+            magnitude_sum_d1_copy5 <= add_f32_ftz_unit_copy8_y;
+            a_x_times_n_x_d1 <= mul_f32_ftz_unit_y;
+            a_y_times_n_y_d1 <= mul_f32_ftz_unit_copy2_y;
+        end
+        if (phases_3[1]) begin
             magnitude_d1 <= add_f32_ftz_unit_copy8_y;
             n_x_d1 <= mul_f32_ftz_unit_y;
             n_x_d2 <= n_x_d1;
             n_x_d3 <= n_x_d2;
+        end
+        if (phases_4[1]) begin
             n_x_d4 <= n_x_d3;
             n_y_d1 <= mul_f32_ftz_unit_copy2_y;
             n_y_d2 <= n_y_d1;
             n_y_d3 <= n_y_d2;
+        end
+        if (phases_5[1]) begin
             n_y_d4 <= n_y_d3;
             n_z_d1 <= mul_f32_ftz_unit_copy3_y;
             n_z_d2 <= n_z_d1;
             n_z_d3 <= n_z_d2;
-            n_z_d4 <= n_z_d3;
         end
-        if (load_5) begin
-            inverse_weight_d1 <= recip_f32_ftz_unit_y;
+        if (phases_6[1]) n_z_d4 <= n_z_d3;
+        if (phases_3[2]) a_z_times_n_z_d2 <= a_z_times_n_z_d1;
+        if (phases_2[5]) begin
             residual_sum_d1 <= add_f32_ftz_unit_copy3_y;
             residual_d1 <= add_f32_ftz_unit_copy4_y;
             from_start_x_d1 <= add_f32_ftz_unit_copy5_y;
             from_start_y_d1 <= add_f32_ftz_unit_copy6_y;
+        end
+        if (phases_1[4]) begin
+            weighs_d1 <= lt_f32_ftz_unit_y;
+            weighs_d2 <= weighs_d1;
+            weighs_d3 <= weighs_d2;
+        end
+        if (phases_1[0]) begin
+            valid_d1 <= valid;
+            finished_d1 <= finished;
+        end
+        if (phases_3[5]) begin
             from_start_z_d1 <= add_f32_ftz_unit_copy7_y;
             along_d1 <= add_f32_ftz_unit_copy8_y;
             step_y_d1 <= mul_f32_ftz_unit_copy3_y;
             step_z_d1 <= mul_f32_ftz_unit_y;
         end
-        if (load_2) begin
-            a_x_sum_d1_copy2 <= add_f32_ftz_unit_y;
-            a_x_sum_d1_copy3 <= add_f32_ftz_unit_copy2_y;
-            a_x_sum_d1_copy4 <= add_f32_ftz_unit_copy3_y;
-            a_y_sum_d1 <= add_f32_ftz_unit_copy4_y;
-            a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy5_y;
-            a_y_sum_d1_copy3 <= add_f32_ftz_unit_copy6_y;
-            a_y_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
-            a_z_times_n_z_d1 <= mul_f32_ftz_unit_copy2_y;
-            a_z_times_n_z_d2 <= a_z_times_n_z_d1;
+        if (phases_17[0]) begin
+            n_z_times_from_start_z_d1 <= mul_f32_ftz_unit_copy3_y;
+            normal_x_d1 <= normal_x;
+            normal_y_d1 <= normal_y;
+            normal_z_d1 <= normal_z;
         end
-        if (load_3) begin
-            a_x_sum_plus_a_x_sum_d1 <= add_f32_ftz_unit_y;
-            a_x_sum_plus_a_x_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
-            a_y_sum_plus_a_y_sum_d1 <= add_f32_ftz_unit_copy3_y;
-            a_y_sum_plus_a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
-            a_z_sum_d1 <= add_f32_ftz_unit_copy5_y;
-            a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy6_y;
-            a_z_sum_d1_copy3 <= add_f32_ftz_unit_copy7_y;
-            a_z_sum_d1_copy4 <= add_f32_ftz_unit_copy8_y;
-            a_x_d1 <= mul_f32_ftz_unit_y;
-            a_x_d2 <= a_x_d1;
-        end
-        if (load_4) begin
-            a_x_sum_d1_copy5 <= add_f32_ftz_unit_y;
-            a_x_sum_d2 <= a_x_sum_d1_copy5;
-            a_x_sum_d3 <= a_x_sum_d2;
-            a_x_sum_d4 <= a_x_sum_d3;
-            a_y_sum_d1_copy5 <= add_f32_ftz_unit_copy2_y;
-            a_y_sum_d2 <= a_y_sum_d1_copy5;
-            a_y_sum_d3 <= a_y_sum_d2;
-            a_y_sum_d4 <= a_y_sum_d3;
-            a_z_sum_plus_a_z_sum_d1 <= add_f32_ftz_unit_copy3_y;
-            a_z_sum_plus_a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
-            a_z_sum_d1_copy5 <= add_f32_ftz_unit_copy5_y;
-            a_z_sum_d2 <= a_z_sum_d1_copy5;
-            a_z_sum_d3 <= a_z_sum_d2;
-            a_z_sum_d4 <= a_z_sum_d3;
-            a_y_d1 <= mul_f32_ftz_unit_y;
-            a_y_d2 <= a_y_d1;
-            a_z_d1 <= mul_f32_ftz_unit_copy2_y;
-            a_z_d2 <= a_z_d1;
-            weighs_d1 <= lt_f32_ftz_unit_y;
-            weighs_d2 <= weighs_d1;
-            weighs_d3 <= weighs_d2;
-        end
-        if (load_7) close_d1 <= le_f32_ftz_unit_y;
-        if (queue_in_ready) begin
-            add_f32_ftz_unit_a <= phase[2] ? add_f32_ftz_unit_a_choice : add_f32_ftz_unit_a_choice_2;
-            add_f32_ftz_unit_b <= phase[2] ? add_f32_ftz_unit_b_choice : add_f32_ftz_unit_b_choice_2;
-            add_f32_ftz_unit_copy2_a <= phase[2] ? add_f32_ftz_unit_copy2_a_choice : add_f32_ftz_unit_copy2_a_choice_2;
-            add_f32_ftz_unit_copy2_b <= phase[2] ? add_f32_ftz_unit_copy2_b_choice : add_f32_ftz_unit_copy2_b_choice_2;
-            add_f32_ftz_unit_copy3_a <= phase[2] ? add_f32_ftz_unit_copy3_a_choice : add_f32_ftz_unit_copy3_a_choice_2;
-            add_f32_ftz_unit_copy3_b <= phase[2] ? add_f32_ftz_unit_copy3_b_choice : add_f32_ftz_unit_copy3_b_choice_2;
-            add_f32_ftz_unit_copy4_a <= phase[2] ? add_f32_ftz_unit_copy4_a_choice : add_f32_ftz_unit_copy4_a_choice_2;
-            add_f32_ftz_unit_copy4_b <= phase[2] ? add_f32_ftz_unit_copy4_b_choice : add_f32_ftz_unit_copy4_b_choice_2;
-            add_f32_ftz_unit_copy5_a <= phase[2] ? add_f32_ftz_unit_copy5_a_choice : add_f32_ftz_unit_copy5_a_choice_2;
-            add_f32_ftz_unit_copy5_b <= phase[2] ? add_f32_ftz_unit_copy5_b_choice : add_f32_ftz_unit_copy5_b_choice_2;
-            add_f32_ftz_unit_copy6_a <= phase[2] ? add_f32_ftz_unit_copy6_a_choice : add_f32_ftz_unit_copy6_a_choice_2;
-            add_f32_ftz_unit_copy6_b <= phase[2] ? add_f32_ftz_unit_copy6_b_choice_2 : add_f32_ftz_unit_copy6_b_choice_3;
-            add_f32_ftz_unit_copy7_a <= phase[2] ? add_f32_ftz_unit_copy7_a_choice : add_f32_ftz_unit_copy7_a_choice_2;
-            add_f32_ftz_unit_copy7_b <= phase[2] ? add_f32_ftz_unit_copy7_b_choice_2 : add_f32_ftz_unit_copy7_b_choice_3;
-            add_f32_ftz_unit_copy8_a <= phase[2] ? add_f32_ftz_unit_copy8_a_choice : add_f32_ftz_unit_copy8_a_choice_2;
-            add_f32_ftz_unit_copy8_b <= phase[2] ? add_f32_ftz_unit_copy8_b_choice_2 : add_f32_ftz_unit_copy8_b_choice_3;
-            mul_f32_ftz_unit_a <= phase[2] ? mul_f32_ftz_unit_a_choice : mul_f32_ftz_unit_a_choice_2;
-            mul_f32_ftz_unit_b <= phase[2] ? mul_f32_ftz_unit_b_choice : mul_f32_ftz_unit_b_choice_2;
-            mul_f32_ftz_unit_copy2_a <= phase[2] ? mul_f32_ftz_unit_copy2_a_choice : mul_f32_ftz_unit_copy2_a_choice_2;
-            mul_f32_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? a_z_sum_d4 : phase[0] ? add_f32_ftz_unit_y : n_z_d1) : mul_f32_ftz_unit_copy2_b_choice;
-            mul_f32_ftz_unit_copy3_a <= phase[2] ? mul_f32_ftz_unit_copy3_a_choice : phase[1] ? (phase[0] ? delay_5_from_1_out : n_z_d1) : n_x_d3;
-            mul_f32_ftz_unit_copy3_b <= phase[2] ? mul_f32_ftz_unit_copy3_b_choice : mul_f32_ftz_unit_copy3_b_choice_2;
-            lt_f32_ftz_unit_a <= phase[2] ? (phase[1] ? distance : phase[0] ? distance : 32'd0) : 32'd0;
-            lt_f32_ftz_unit_b <= phase[2] ? (phase[1] ? 32'h7e967699 : phase[0] ? 32'h7e967699 : magnitude_d1) : phase[1] ? magnitude_d1 : add_f32_ftz_unit_copy3_y;
-        end
+        if (phases_18[0]) residual_there_d1 <= residual_there;
+        if (phases_1[7]) close_d1 <= le_f32_ftz_unit_y;
+        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase[2] ? add_f32_ftz_unit_a_choice : add_f32_ftz_unit_a_choice_3;
+        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase_copy2[2] ? add_f32_ftz_unit_b_choice_2 : add_f32_ftz_unit_b_choice_5;
+        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase[2] ? add_f32_ftz_unit_copy2_a_choice_2 : add_f32_ftz_unit_copy2_a_choice_5;
+        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase_copy2[2] ? add_f32_ftz_unit_copy2_b_choice_2 : add_f32_ftz_unit_copy2_b_choice_5;
+        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase[2] ? add_f32_ftz_unit_copy3_a_choice_2 : add_f32_ftz_unit_copy3_a_choice_5;
+        add_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy3_phase_copy2[2] ? add_f32_ftz_unit_copy3_b_choice_3 : add_f32_ftz_unit_copy3_b_choice_6;
+        add_f32_ftz_unit_copy4_a <= add_f32_ftz_unit_copy4_phase[2] ? add_f32_ftz_unit_copy4_a_choice_3 : add_f32_ftz_unit_copy4_a_choice_6;
+        add_f32_ftz_unit_copy4_b <= add_f32_ftz_unit_copy4_phase_copy2[2] ? add_f32_ftz_unit_copy4_b_choice_3 : add_f32_ftz_unit_copy4_b_choice_6;
+        add_f32_ftz_unit_copy5_a <= add_f32_ftz_unit_copy5_phase[2] ? add_f32_ftz_unit_copy5_a_choice_2 : add_f32_ftz_unit_copy5_a_choice_5;
+        add_f32_ftz_unit_copy5_b <= add_f32_ftz_unit_copy5_phase_copy2[2] ? add_f32_ftz_unit_copy5_b_choice_3 : add_f32_ftz_unit_copy5_b_choice_6;
+        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase[2] ? add_f32_ftz_unit_copy6_a_choice_2 : add_f32_ftz_unit_copy6_a_choice_5;
+        add_f32_ftz_unit_copy6_b <= add_f32_ftz_unit_copy6_phase_copy2[2] ? add_f32_ftz_unit_copy6_b_choice_3 : add_f32_ftz_unit_copy6_b_choice_6;
+        add_f32_ftz_unit_copy7_a <= add_f32_ftz_unit_copy7_phase[2] ? add_f32_ftz_unit_copy7_a_choice_2 : add_f32_ftz_unit_copy7_a_choice_5;
+        add_f32_ftz_unit_copy7_b <= add_f32_ftz_unit_copy7_phase_copy2[2] ? add_f32_ftz_unit_copy7_b_choice_3 : add_f32_ftz_unit_copy7_b_choice_6;
+        add_f32_ftz_unit_copy8_a <= add_f32_ftz_unit_copy8_phase[2] ? add_f32_ftz_unit_copy8_a_choice_3 : add_f32_ftz_unit_copy8_a_choice_6;
+        add_f32_ftz_unit_copy8_b <= add_f32_ftz_unit_copy8_phase_copy2[2] ? add_f32_ftz_unit_copy8_b_choice_3 : add_f32_ftz_unit_copy8_b_choice_6;
+        mul_f32_ftz_unit_a <= mul_f32_ftz_unit_phase[2] ? mul_f32_ftz_unit_a_choice_2 : mul_f32_ftz_unit_a_choice_3;
+        mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase_copy2[2] ? mul_f32_ftz_unit_b_choice_2 : mul_f32_ftz_unit_b_choice_3;
+        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase[2] ? mul_f32_ftz_unit_copy2_a_choice : mul_f32_ftz_unit_copy2_a_choice_3;
+        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase_copy2[2] ? mul_f32_ftz_unit_copy2_b_choice_2 : mul_f32_ftz_unit_copy2_b_choice_4;
+        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase[2] ? mul_f32_ftz_unit_copy3_a_choice_3 : mul_f32_ftz_unit_copy3_a_choice_4;
+        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase_copy2[2] ? mul_f32_ftz_unit_copy3_b_choice_3 : mul_f32_ftz_unit_copy3_b_choice_5;
+        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase[2] ? lt_f32_ftz_unit_a_choice : lt_f32_ftz_unit_a_choice_3;
+        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase[2] ? lt_f32_ftz_unit_b_choice : lt_f32_ftz_unit_b_choice_2;
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             delay_12_from_0[delay_12_from_0_pointer] <= {state_start_z_d1, state_start_y_d1, state_start_x_d1};
         end
-        if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (phases_1[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_2[0]) begin
             delay_13_from_0[delay_13_from_0_pointer] <= {query_position_z_d1, query_position_y_d1, query_position_x_d1};
         end
-        if (load_0) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+        if (phases_2[0]) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= in_thread;
-        if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        if (phases_1[0]) delay_14_from_0[delay_14_from_0_pointer] <= in_thread;
+        if (phases_1[0]) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_5_from_1[delay_5_from_1_pointer] <= magnitude_sum_d1_copy7;
-        if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+        if (phases_1[1]) delay_5_from_1[delay_5_from_1_pointer] <= magnitude_sum_d1_copy7;
+        if (phases_1[1]) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) begin
+        if (phases_1[4]) begin
             delay_7_from_4[delay_7_from_4_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y, add_f32_ftz_unit_copy6_y};
         end
-        if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+        if (phases_1[4]) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
+        if (phases_1[5]) begin
             delay_6_from_5[delay_6_from_5_pointer] <= {add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y};
         end
-        if (load_5) delay_6_from_5_out <= delay_6_from_5[delay_6_from_5_pointer];
+        if (phases_1[5]) delay_6_from_5_out <= delay_6_from_5[delay_6_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_8_from_5[delay_8_from_5_pointer] <= there;
-        if (load_5) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
+        if (phases_1[5]) delay_8_from_5[delay_8_from_5_pointer] <= there;
+        if (phases_1[5]) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
     end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
 
 `ifdef RTL_ASSERT
-    reg load_6;
-
-    always @(posedge clk) begin
-        if (rst) load_6 <= 1'd0;
-        else load_6 <= advance_next & (phase_next == 3'd6);
-    end
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
+    wire check_both_3 = check_both_2 & (phases_8 == phases_1) & (phases_9 == phases_1) & (phases_10 == phases_1);
+    wire check_both_4 = check_both_3 & (phases_11 == phases_1) & (phases_12 == phases_1) & (phases_13 == phases_1);
+    wire check_both_5 = check_both_4 & (phases_14 == phases_1) & (phases_15 == phases_1) & (phases_16 == phases_1);
+    wire check_both_6 = check_both_5 & (phases_17 == phases_1) & (phases_18 == phases_1) & ((add_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((add_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((add_f32_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((add_f32_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((add_f32_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f32_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((add_f32_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((add_f32_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((add_f32_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
+    wire check_both_15 = check_both_14 & ((add_f32_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_16 = check_both_15 & ((add_f32_ftz_unit_copy6_phase == 3'd0) == phases_1[0]);
+    wire check_both_17 = check_both_16 & ((add_f32_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_18 = check_both_17 & ((add_f32_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
+    wire check_both_19 = check_both_18 & ((add_f32_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((add_f32_ftz_unit_copy8_phase == 3'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((add_f32_ftz_unit_copy8_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((mul_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((mul_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((mul_f32_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_25 = check_both_24 & ((mul_f32_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_26 = check_both_25 & ((mul_f32_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_27 = check_both_26 & ((mul_f32_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & phase_is_6));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_27 & ((lt_f32_ftz_unit_phase == 3'd0) == phases_1[0]));
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
-        if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
         end
-        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        if (!(check_both_27 & ((lt_f32_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
-        if (!(load_6 == (queue_in_ready & phase_is_6))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 15
+// width = 100
+// storage = distributed
+module stream_fifo_d15_w100_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [99:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [99:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [99:0] entries [0:14];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [99:0] item;
+
+    wire has_room = ~(held == 4'd15);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
         end
-        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 15
+// width = 128
+// storage = distributed
+module stream_fifo_d15_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:14];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 4'd15);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 15
+// width = 103
+// storage = distributed
+module stream_fifo_d15_w103_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [102:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [102:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [102:0] entries [0:14];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [102:0] item;
+
+    wire has_room = ~(held == 4'd15);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -3969,49 +4501,6 @@ module float_recip_s28_f32ftz (
     };
 endmodule
 
-// Queue of two in registers.
-// width = 331
-module stream_skid_w331 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [330:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [330:0] out_data
-);
-    reg second_valid;
-    reg [330:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Words of queries by thread, a copy of each for each block that reads it.
 // threads = 128
 module process_bank (
@@ -4661,6 +5150,49 @@ module stream_skid_w103 (
 endmodule
 
 // Queue of two in registers.
+// width = 104
+module stream_skid_w104 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [103:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [103:0] out_data
+);
+    reg second_valid;
+    reg [103:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
 // width = 121
 module stream_skid_w121 (
     input  wire clk, input wire rst,
@@ -5080,45 +5612,43 @@ module process_init (
     output wire [31:0] out_state_start_z,  // Words of the state.
     output wire out_write_start  // Which fields of it are written.
 );
-    reg [2:0] phase;
-    reg load_0;
+    reg [1:0] credits;
+    reg [7:0] phases_1;
     reg [6:0] thread_d1;
     reg [31:0] query_position_x_d1, query_position_y_d1, query_position_z_d1;
-    reg first_d1, in_flight;
+    reg first_d1, in_flight, left;
 
-    wire queue_in_ready;
-    wire [103:0] queue_out_data;
+    wire queue_1_in_ready;
+    wire [103:0] queue_1_out_data;
 
-    wire phase_is_1 = phase == 3'd1;
-    wire in_flight_and_phase_is_1 = in_flight & phase_is_1;
-    wire phase_is_7 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = out_valid & ~out_ready & (~queue_in_ready | in_flight_and_phase_is_1);
-    wire advance_next = ~advance_next_both;
+    assign in_ready = ~credits[1] & phases_1[0];
+    wire kept = in_flight & phases_1[1];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire first = in_count == 32'd0;
 
-    assign in_ready = load_0;
-    assign {out_thread, out_state_start_x, out_state_start_y, out_state_start_z, out_write_start} = queue_out_data;
+    assign {out_thread, out_state_start_x, out_state_start_y, out_state_start_z, out_write_start} = queue_1_out_data;
 
-    stream_skid_w104 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight_and_phase_is_1), .in_ready(queue_in_ready),
+    stream_fifo_d2_w104_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({thread_d1, query_position_x_d1, query_position_y_d1, query_position_z_d1, first_d1}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 3'd0;
-            load_0 <= 1'd1;
+            credits <= 2'd1;
+            phases_1 <= 8'd1;
             in_flight <= 1'd0;
+            left <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 3'd0);
-            if (load_0) in_flight <= in_valid;
+            credits <= (credits - {1'd0, in_valid_and_in_ready}) + {1'd0, left};
+            phases_1 <= {phases_1[6:0], phases_1[7]};
+            left <= out_valid & out_ready;
+            if (phases_1[0]) in_flight <= in_valid_and_in_ready;
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             thread_d1 <= in_thread;
             query_position_x_d1 <= in_query_position_x;
             query_position_y_d1 <= in_query_position_y;
@@ -5127,106 +5657,73 @@ module process_init (
         end
     end
 
+    wire _unused = &{1'b0, queue_1_in_ready};
+
 `ifdef RTL_ASSERT
-    reg load_1, load_2, load_3, load_4, load_5, load_6, load_7;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_5 <= 1'd0;
-            load_6 <= 1'd0;
-            load_7 <= 1'd0;
-        end else begin
-            load_1 <= advance_next & (phase_next == 3'd1);
-            load_2 <= advance_next & (phase_next == 3'd2);
-            load_3 <= advance_next & (phase_next == 3'd3);
-            load_4 <= advance_next & (phase_next == 3'd4);
-            load_5 <= advance_next & (phase_next == 3'd5);
-            load_6 <= advance_next & (phase_next == 3'd6);
-            load_7 <= advance_next & (phase_next == 3'd7);
-        end
-    end
-
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & phase_is_1));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
-        end
-        if (!(load_1 == (queue_in_ready & phase_is_1))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
-        end
-        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
-        end
-        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
-        end
-        if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
-        end
-        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
-        end
-        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
-        end
-        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
 `endif
     end
 `endif
 endmodule
 
-// Queue of two in registers.
+// Queue in a memory with a registered output.
+// depth = 2
 // width = 104
-module stream_skid_w104 (
+// storage = distributed
+module stream_fifo_d2_w104_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [103:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [103:0] out_data
 );
-    reg second_valid;
-    reg [103:0] head, second;
+    (* ram_style = "distributed" *)
+    reg [103:0] entries [0:1];
+    reg [1:0] held, waiting;
+    reg write_address, read_address;
+    reg [103:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    wire has_room = ~held[1];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_data = head;
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
+            held <= 2'd0;
+            waiting <= 2'd0;
+            write_address <= 1'd0;
+            read_address <= 1'd0;
             out_valid <= 1'd0;
-            second_valid <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            held <= (held + {1'd0, push}) - {1'd0, pop};
+            waiting <= (waiting + {1'd0, push}) - {1'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 1'd1;
+            if (fetch) read_address <= read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        held_in_range: assert (held <= 2'd2);
+        held_is_waiting_and_shown: assert (held == (waiting + {1'd0, out_valid}));
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(held <= 2'd2)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {1'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -6832,6 +7329,49 @@ module stream_fifo_d16_w155 (
 `endif
 endmodule
 
+// Queue of two in registers.
+// width = 155
+module stream_skid_w155 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+);
+    reg second_valid;
+    reg [154:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Fetches leaves and computes the distances of their points.
 // threads = 16
 // lanes = 4
@@ -7054,16 +7594,21 @@ module search_distance (
     output wire [31:0] out_distance1, output wire [31:0] out_distance2, output wire [31:0] out_distance3
 );
     (* ram_style = "distributed" *)
-    reg [127:0] delay_6_from_0 [0:4];
+    reg [95:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0_copy2 [0:4];
     (* ram_style = "distributed" *)
     reg [26:0] delay_23_from_0 [0:21];
+    reg [5:0] credits;
     reg [2:0] delay_6_from_0_pointer;
-    reg [127:0] delay_6_from_0_out;
+    reg [95:0] delay_6_from_0_out;
+    reg [2:0] delay_6_from_0_copy2_pointer;
+    reg [31:0] delay_6_from_0_copy2_out;
     reg [4:0] delay_23_from_0_pointer;
     reg [26:0] delay_23_from_0_out;
     reg [22:0] in_flight;
+    reg left;
 
-    wire [154:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
     wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
@@ -7074,241 +7619,348 @@ module search_distance (
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
+    wire queue_1_in_ready;
+    wire [122:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
 
-    wire [3:0] thread_d23 = delay_23_from_0_out[3:0];
-    wire [21:0] address_d23 = delay_23_from_0_out[25:4];
-    wire last_d23 = delay_23_from_0_out[26];
+    assign in_ready = ~credits[5];
     wire [31:0] minus_in_query_x = {~in_query_x[31], in_query_x[30:0]};
     wire [31:0] minus_in_query_y = {~in_query_y[31], in_query_y[30:0]};
     wire [31:0] minus_in_query_z = {~in_query_z[31], in_query_z[30:0]};
     wire [31:0] offset_z_squared_d6 = delay_6_from_0_out[31:0];
     wire [31:0] offset_z_squared_d6_copy2 = delay_6_from_0_out[63:32];
     wire [31:0] offset_z_squared_d6_copy3 = delay_6_from_0_out[95:64];
-    wire [31:0] offset_z_squared_d6_copy4 = delay_6_from_0_out[127:96];
+    wire kept = in_flight[22];
+    wire [3:0] thread_d23 = delay_23_from_0_out[3:0];
+    wire [21:0] address_d23 = delay_23_from_0_out[25:4];
+    wire last_d23 = delay_23_from_0_out[26];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
-
-    stream_skid_w155 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[22]), .in_ready(in_ready),
-        .in_data({
-            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
-            add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy20_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2} = queue_1_out_data;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy19_y), .b(offset_z_squared_d6_copy4),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_copy2_out),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    stream_fifo_d27_w123_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
+            add_f32_ftz_unit_copy15_y
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d27_w32_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data(add_f32_ftz_unit_copy20_y),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(out_distance3)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 6'd26;
             delay_6_from_0_pointer <= 3'd0;
+            delay_6_from_0_copy2_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
             in_flight <= 23'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {5'd0, in_valid_and_in_ready}) + {5'd0, left};
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_6_from_0_copy2_pointer <= (delay_6_from_0_copy2_pointer == 3'd4) ? (delay_6_from_0_copy2_pointer - 3'd4) : (delay_6_from_0_copy2_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[21:0], in_valid};
+            in_flight <= {in_flight[21:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy12_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
-                mul_f32_ftz_unit_copy3_y
-            };
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= {mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy3_y};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
-        end
-        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+        delay_6_from_0_copy2[delay_6_from_0_copy2_pointer] <= mul_f32_ftz_unit_copy12_y;
+        delay_6_from_0_copy2_out <= delay_6_from_0_copy2[delay_6_from_0_copy2_pointer];
     end
+    always @(posedge clk) begin
+        delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
+        delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
-// Queue of two in registers.
-// width = 155
-module stream_skid_w155 (
+// Queue in a memory with a registered output.
+// depth = 27
+// width = 32
+// storage = distributed
+module stream_fifo_d27_w32_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
 );
-    reg second_valid;
-    reg [154:0] head, second;
+    (* ram_style = "distributed" *)
+    reg [31:0] entries [0:26];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [31:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    wire has_room = ~(held == 5'd27);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_data = head;
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
             out_valid <= 1'd0;
-            second_valid <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        held_in_range: assert (held <= 5'd27);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 27
+// width = 123
+// storage = distributed
+module stream_fifo_d27_w123_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [122:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [122:0] entries [0:26];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [122:0] item;
+
+    wire has_room = ~(held == 5'd27);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd27);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -7904,46 +8556,69 @@ module search_path (
     reg [3:0] delay_11_from_0_pointer;
     reg [19:0] delay_11_from_0_out;
     reg [10:0] in_flight;
+    reg shown, shown_is_leaf;
+    reg [3:0] shown_thread;
+    reg [14:0] shown_node;
+    reg [31:0] shown_distance2;
 
-    wire [51:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
+    wire kept = in_flight[10];
     wire is_leaf_d11 = delay_11_from_0_out[0];
     wire [3:0] thread_d11 = delay_11_from_0_out[4:1];
     wire [14:0] node_d11 = delay_11_from_0_out[19:5];
 
-    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
-
-    stream_skid_w52 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[10]), .in_ready(in_ready),
-        .in_data({is_leaf_d11, thread_d11, node_d11, mul_f32_ftz_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign in_ready = 1'd1;
+    assign out_valid = shown;
+    assign out_is_leaf = shown_is_leaf;
+    assign out_thread = shown_thread;
+    assign out_node = shown_node;
+    assign out_distance2 = shown_distance2;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
+        .clk(clk), .enable(1'd1), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_11_from_0_pointer <= 4'd0;
             in_flight <= 11'd0;
-        end else if (in_ready) begin
+            shown <= 1'd0;
+        end else begin
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
             in_flight <= {in_flight[9:0], in_valid};
+            shown <= kept;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
-        end
-        if (in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        shown_is_leaf <= is_leaf_d11;
+        shown_thread <= thread_d11;
+        shown_node <= node_d11;
+        shown_distance2 <= mul_f32_ftz_unit_y;
     end
+    always @(posedge clk) begin
+        delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
+        delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, out_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        results_are_taken: assert (~shown | out_ready);
+`else
+        if (!(~shown | out_ready)) begin
+            $display("assertion failed: results_are_taken in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point product.
@@ -8126,49 +8801,6 @@ module float_add_s6_f32ftz (
     end
 
     wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_s3_sum[0]};
-endmodule
-
-// Queue of two in registers.
-// width = 52
-module stream_skid_w52 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [51:0] out_data
-);
-    reg second_valid;
-    reg [51:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Queue of two in registers.

@@ -21,9 +21,11 @@ module splat_top (
     input  wire [15:0] splat_attribute_0,  // Attributes.
     input  wire [15:0] splat_attribute_1,  // Attributes.
     input  wire [15:0] splat_attribute_2,  // Attributes.
-    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
     output wire [7:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
@@ -45,12 +47,12 @@ module splat_top (
     output wire [15:0] fragment_attribute_0,  // Attributes.
     output wire [15:0] fragment_attribute_1,  // Attributes.
     output wire [15:0] fragment_attribute_2,  // Attributes.
-    output wire event_sample,  // The rasterizer evaluated a sample.
-    output wire event_starved,  // The rasterizer had no copy to work on.
-    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
-    output wire event_accumulate,  // The accumulator took a sample.
-    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
-    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
+    output wire event_sample,  // Rasterizers that evaluated a sample.
+    output wire event_starved,  // Rasterizers that had no copy to work on.
+    output wire event_blocked,  // Rasterizers whose pipeline was held by what follows it.
+    output wire event_accumulate,  // Accumulators that took a sample.
+    output wire event_hazard,  // Accumulators that waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // Accumulators that waited for a tile to arrive in the cache.
 );
     reg [23:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
     reg [23:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
@@ -73,7 +75,7 @@ module splat_top (
     wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2;
     wire [6:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
     wire [7:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
-    wire splitter_in_ready, splitter_out_valid, splitter_out_end;
+    wire splitter_in_ready, splitter_out_valid, splitter_out_end, splitter_out_first;
     wire [27:0] splitter_out_center_x, splitter_out_center_y;
     wire [17:0] splitter_out_ax, splitter_out_bx, splitter_out_ay, splitter_out_by;
     wire [21:0] splitter_out_delta;
@@ -85,67 +87,12 @@ module splat_top (
     wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
     wire [3:0] splitter_out_last_difference;
     wire [7:0] splitter_out_tile;
-    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
-    wire [27:0] reorder_out_center_x, reorder_out_center_y;
-    wire [17:0] reorder_out_ax, reorder_out_bx, reorder_out_ay, reorder_out_by;
-    wire [21:0] reorder_out_delta;
-    wire [17:0] reorder_out_mx, reorder_out_my;
-    wire [3:0] reorder_out_shift;
-    wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
-    wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2;
-    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
-    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
-    wire [3:0] reorder_out_last_difference;
-    wire [7:0] reorder_out_tile;
-    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
-    wire [27:0] tile_cache_out_center_x, tile_cache_out_center_y;
-    wire [17:0] tile_cache_out_ax, tile_cache_out_bx, tile_cache_out_ay, tile_cache_out_by;
-    wire [21:0] tile_cache_out_delta;
-    wire [17:0] tile_cache_out_mx, tile_cache_out_my;
-    wire [3:0] tile_cache_out_shift;
-    wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
-    wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
-    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
-    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
-    wire [3:0] tile_cache_out_last_difference;
-    wire [7:0] tile_cache_out_tile;
-    wire [1:0] tile_cache_out_slot;
-    wire tile_cache_pixel_valid, tile_cache_pixel_end;
-    wire [7:0] tile_cache_pixel_tile;
-    wire [5:0] tile_cache_pixel_pixel;
-    wire [27:0] tile_cache_pixel_weight;
-    wire [51:0] tile_cache_pixel_depth;
-    wire [15:0] tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1, tile_cache_pixel_attribute_2;
-    wire [3:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid;
-    wire [1:0] tile_cache_fill_slot;
-    wire [5:0] tile_cache_fill_pixel;
-    wire [27:0] tile_cache_fill_weight;
-    wire [51:0] tile_cache_fill_depth;
-    wire [15:0] tile_cache_fill_attribute_0, tile_cache_fill_attribute_1, tile_cache_fill_attribute_2;
-    wire tile_cache_drain_enable;
-    wire [1:0] tile_cache_drain_slot;
-    wire [5:0] tile_cache_drain_pixel;
-    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside;
-    wire [1:0] rasterizer_out_slot;
-    wire [5:0] rasterizer_out_pixel;
-    wire [15:0] rasterizer_out_weight;
-    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
-    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
-    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire [1:0] weighting_out_slot;
-    wire [5:0] weighting_out_pixel;
-    wire [15:0] weighting_out_weight;
-    wire [39:0] weighting_out_weighted_depth;
-    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
-    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
-    wire accumulator_in_ready, accumulator_retire_valid;
-    wire [1:0] accumulator_retire_slot;
-    wire accumulator_frame_end;
-    wire [27:0] accumulator_drain_weight;
-    wire [51:0] accumulator_drain_depth;
-    wire [15:0] accumulator_drain_attribute_0, accumulator_drain_attribute_1, accumulator_drain_attribute_2;
+    wire lane_0_in_ready, lane_0_pixel_valid, lane_0_pixel_end;
+    wire [7:0] lane_0_pixel_tile;
+    wire [5:0] lane_0_pixel_pixel;
+    wire [27:0] lane_0_pixel_weight;
+    wire [51:0] lane_0_pixel_depth;
+    wire [15:0] lane_0_pixel_attribute_0, lane_0_pixel_attribute_1, lane_0_pixel_attribute_2;
     wire normalizer_in_ready;
 
     splat_transform transform (
@@ -206,71 +153,35 @@ module splat_top (
         .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
         .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
         .in_last_difference(setup_out_last_difference),
-        .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
-        .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
-        .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
-        .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_shift(splitter_out_shift), .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2), .out_left(splitter_out_left),
-        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_first_sum(splitter_out_first_sum), .out_last_sum(splitter_out_last_sum),
-        .out_first_difference(splitter_out_first_difference),
+        .out_valid(splitter_out_valid), .out_ready(lane_0_in_ready), .out_end(splitter_out_end),
+        .out_first(splitter_out_first), .out_center_x(splitter_out_center_x),
+        .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax), .out_bx(splitter_out_bx),
+        .out_ay(splitter_out_ay), .out_by(splitter_out_by), .out_delta(splitter_out_delta),
+        .out_mx(splitter_out_mx), .out_my(splitter_out_my), .out_shift(splitter_out_shift),
+        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
+        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
+        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
         .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
-    splat_reorder reorder (
-        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
-        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
-        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
-        .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_shift(splitter_out_shift), .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+    splat_lane lane_0 (
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(lane_0_in_ready),
+        .in_end(splitter_out_end), .in_first(splitter_out_first), .in_center_x(splitter_out_center_x),
+        .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax), .in_bx(splitter_out_bx),
+        .in_ay(splitter_out_ay), .in_by(splitter_out_by), .in_delta(splitter_out_delta),
+        .in_mx(splitter_out_mx), .in_my(splitter_out_my), .in_shift(splitter_out_shift),
+        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
         .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
         .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
         .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
         .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
-        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
-        .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
-        .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
-        .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_shift(reorder_out_shift), .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
-        .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
-        .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
-        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
-        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
-        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
-    );
-
-    splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
-        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
-        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
-        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_shift(reorder_out_shift), .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
-        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
-        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
-        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
-        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
-        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
-        .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
-        .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
-        .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
-        .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_shift(tile_cache_out_shift), .out_depth(tile_cache_out_depth),
-        .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
-        .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
-        .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
-        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
-        .out_first_difference(tile_cache_out_first_difference),
-        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
-        .out_slot(tile_cache_out_slot),
-        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2),
@@ -278,90 +189,21 @@ module splat_top (
         .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
         .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
         .write_attribute_2(write_attribute_2),
-        .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
-        .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
-        .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
-        .pixel_depth(tile_cache_pixel_depth), .pixel_attribute_0(tile_cache_pixel_attribute_0),
-        .pixel_attribute_1(tile_cache_pixel_attribute_1), .pixel_attribute_2(tile_cache_pixel_attribute_2),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1), .drain_attribute_2(accumulator_drain_attribute_2)
-    );
-
-    splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
-        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
-        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
-        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift),
-        .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
-        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
-        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
-        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
-        .in_slot(tile_cache_out_slot),
-        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
+        .pixel_valid(lane_0_pixel_valid), .pixel_ready(normalizer_in_ready), .pixel_end(lane_0_pixel_end),
+        .pixel_tile(lane_0_pixel_tile), .pixel_pixel(lane_0_pixel_pixel), .pixel_weight(lane_0_pixel_weight),
+        .pixel_depth(lane_0_pixel_depth), .pixel_attribute_0(lane_0_pixel_attribute_0),
+        .pixel_attribute_1(lane_0_pixel_attribute_1), .pixel_attribute_2(lane_0_pixel_attribute_2),
         .filter_scale(uniform_filter_scale),
-        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
-    );
-
-    splat_weighting weighting (
-        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
-        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
-        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2)
-    );
-
-    splat_accumulator accumulator (
-        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
-        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
-        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
-        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
-        .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2),
-        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth), .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1), .drain_attribute_2(accumulator_drain_attribute_2),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked),
         .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
-        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
-        .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
-        .in_attribute_0(tile_cache_pixel_attribute_0), .in_attribute_1(tile_cache_pixel_attribute_1),
-        .in_attribute_2(tile_cache_pixel_attribute_2),
+        .clk(clk), .rst(rst), .in_valid(lane_0_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(lane_0_pixel_end), .in_tile(lane_0_pixel_tile), .in_pixel(lane_0_pixel_pixel),
+        .in_weight(lane_0_pixel_weight), .in_depth(lane_0_pixel_depth),
+        .in_attribute_0(lane_0_pixel_attribute_0), .in_attribute_1(lane_0_pixel_attribute_1),
+        .in_attribute_2(lane_0_pixel_attribute_2),
         .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
         .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
         .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
@@ -424,123 +266,198 @@ module splat_normalizer (
     reg [71:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
     reg [14:0] delay_30_from_0 [0:28];
+    reg [6:0] credits;
     reg [4:0] delay_20_from_0_pointer;
     reg [71:0] delay_20_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [14:0] delay_30_from_0_out;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [29:0] in_flight;
+    reg left;
 
-    wire [86:0] queue_out_data;
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] convert_f16_f24_ftz_unit_y, convert_f16_f24_ftz_unit_copy2_y, convert_f16_f24_ftz_unit_copy3_y;
     wire [15:0] convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y;
+    wire queue_1_in_ready;
+    wire [86:0] queue_1_out_data;
 
-    wire end_d30 = delay_30_from_0_out[0];
-    wire [6:0] column_out_d30 = delay_30_from_0_out[7:1];
-    wire [6:0] row_out_d30 = delay_30_from_0_out[14:8];
+    assign in_ready = ~credits[6];
     wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
     wire [15:0] attribute_0_d20 = delay_20_from_0_out[39:24];
     wire [15:0] attribute_1_d20 = delay_20_from_0_out[55:40];
     wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
+    wire kept = in_flight[29];
+    wire end_d30 = delay_30_from_0_out[0];
+    wire [6:0] column_out_d30 = delay_30_from_0_out[7:1];
+    wire [6:0] row_out_d30 = delay_30_from_0_out[14:8];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_out_data;
-
-    stream_skid_w87 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(in_ready),
-        .in_data({
-            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
-            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_1_out_data;
 
     float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y), .y(convert_f24_ftz_f16_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_y), .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy4_y), .y(convert_f24_ftz_f16_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_y), .y(convert_f24_ftz_f16_unit_copy3_y)
+    );
+
+    stream_fifo_d34_w87_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
+            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd33;
             delay_20_from_0_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
             in_flight <= 30'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[28:0], in_valid};
+            in_flight <= {in_flight[28:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            depth_out_d1 <= mul_f24_ftz_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
+        depth_out_d1 <= mul_f24_ftz_unit_y;
+        depth_out_d2 <= depth_out_d1;
+        depth_out_d3 <= depth_out_d2;
+    end
+    always @(posedge clk) begin
+        delay_20_from_0[delay_20_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, to_float_u52q40_f24_ftz_unit_y};
+        delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[7:4], in_pixel[5:3], in_tile[3:0], in_pixel[2:0], in_end};
+        delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 34
+// width = 87
+// storage = distributed
+module stream_fifo_d34_w87_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [86:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [86:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [86:0] entries [0:33];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [86:0] item;
+
+    wire has_room = ~(held == 6'd34);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, to_float_u52q40_f24_ftz_unit_y};
-        end
-        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
-    always @(posedge clk) begin
-        if (in_ready) begin
-            delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[7:4], in_pixel[5:3], in_tile[3:0], in_pixel[2:0], in_end};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd34);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+`endif
     end
+`endif
 endmodule
 
 // Floating-point format conversion.
@@ -786,51 +703,311 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
-// Queue of two in registers.
-// width = 87
-module stream_skid_w87 (
+// A rasterizer with the lists, slots and sums of its share of the tiles.
+module splat_lane (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [86:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [86:0] out_data
+    input  wire in_valid, output wire in_ready,  // Copies for its tiles.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [27:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [27:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [17:0] in_ax,  // `A` in x.
+    input  wire [17:0] in_bx,  // `B` in x.
+    input  wire [17:0] in_ay,  // `A` in y.
+    input  wire [17:0] in_by,  // `B` in y.
+    input  wire [21:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [17:0] in_mx,  // `m` in x.
+    input  wire [17:0] in_my,  // `m` in y.
+    input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [7:0] in_tile,  // Tile index: row above column.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [7:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [7:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
+    output wire pixel_end,  // Closes the frame.
+    output wire [7:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
+    output wire event_sample,  // The rasterizer evaluated a sample.
+    output wire event_starved,  // The rasterizer had no copy to work on.
+    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
+    output wire event_accumulate,  // The accumulator took a sample.
+    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
-    reg second_valid;
-    reg [86:0] head, second;
+    wire payloads_copy_valid, payloads_copy_end;
+    wire [2:0] payloads_copy_left, payloads_copy_right, payloads_copy_top, payloads_copy_bottom;
+    wire [3:0] payloads_copy_first_sum, payloads_copy_last_sum, payloads_copy_first_difference;
+    wire [3:0] payloads_copy_last_difference;
+    wire [7:0] payloads_copy_tile;
+    wire [5:0] payloads_copy_splat;
+    wire payloads_placed_ready, payloads_out_valid, payloads_out_end;
+    wire [27:0] payloads_out_center_x, payloads_out_center_y;
+    wire [17:0] payloads_out_ax, payloads_out_bx, payloads_out_ay, payloads_out_by;
+    wire [21:0] payloads_out_delta;
+    wire [17:0] payloads_out_mx, payloads_out_my;
+    wire [3:0] payloads_out_shift;
+    wire [23:0] payloads_out_depth, payloads_out_depth_low, payloads_out_depth_high;
+    wire [15:0] payloads_out_attribute_0, payloads_out_attribute_1, payloads_out_attribute_2;
+    wire [2:0] payloads_out_left, payloads_out_right, payloads_out_top, payloads_out_bottom;
+    wire [3:0] payloads_out_first_sum, payloads_out_last_sum, payloads_out_first_difference;
+    wire [3:0] payloads_out_last_difference;
+    wire [7:0] payloads_out_tile;
+    wire [1:0] payloads_out_slot;
+    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
+    wire [7:0] reorder_out_tile;
+    wire [5:0] reorder_out_splat;
+    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
+    wire [7:0] tile_cache_out_tile;
+    wire [5:0] tile_cache_out_splat;
+    wire [1:0] tile_cache_out_slot;
+    wire [3:0] tile_cache_slot_ready;
+    wire tile_cache_change_valid;
+    wire [1:0] tile_cache_change_slot, tile_cache_change_banks;
+    wire [63:0] tile_cache_change_held;
+    wire tile_cache_drain_enable;
+    wire [1:0] tile_cache_drain_slot;
+    wire [5:0] tile_cache_drain_pixel;
+    wire tile_cache_fill_valid;
+    wire [1:0] tile_cache_fill_slot;
+    wire [5:0] tile_cache_fill_pixel;
+    wire [27:0] tile_cache_fill_weight;
+    wire [51:0] tile_cache_fill_depth;
+    wire [15:0] tile_cache_fill_attribute_0, tile_cache_fill_attribute_1, tile_cache_fill_attribute_2;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
+    wire rasterizer_out_inside;
+    wire [1:0] rasterizer_out_slot;
+    wire [5:0] rasterizer_out_pixel;
+    wire [15:0] rasterizer_out_weight;
+    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire [1:0] weighting_out_slot;
+    wire [5:0] weighting_out_pixel;
+    wire [15:0] weighting_out_weight;
+    wire [39:0] weighting_out_weighted_depth;
+    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
+    wire accumulator_in_ready, accumulator_retire_valid;
+    wire [1:0] accumulator_retire_slot;
+    wire accumulator_frame_end;
+    wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
+    wire [63:0] accumulator_masks_written, accumulator_masks_dirty;
+    wire accumulator_drained_valid;
+    wire [5:0] accumulator_drained_pixel;
+    wire [27:0] accumulator_drained_weight;
+    wire [51:0] accumulator_drained_depth;
+    wire [15:0] accumulator_drained_attribute_0, accumulator_drained_attribute_1, accumulator_drained_attribute_2;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    splat_payloads payloads (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_end(in_end), .in_first(in_first),
+        .in_center_x(in_center_x), .in_center_y(in_center_y), .in_ax(in_ax), .in_bx(in_bx), .in_ay(in_ay),
+        .in_by(in_by), .in_delta(in_delta), .in_mx(in_mx), .in_my(in_my), .in_shift(in_shift),
+        .in_depth(in_depth), .in_depth_low(in_depth_low), .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0), .in_attribute_1(in_attribute_1), .in_attribute_2(in_attribute_2),
+        .in_left(in_left), .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom),
+        .in_first_sum(in_first_sum), .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
+        .in_last_difference(in_last_difference), .in_tile(in_tile),
+        .copy_valid(payloads_copy_valid), .copy_ready(reorder_in_ready), .copy_end(payloads_copy_end),
+        .copy_left(payloads_copy_left), .copy_right(payloads_copy_right), .copy_top(payloads_copy_top),
+        .copy_bottom(payloads_copy_bottom), .copy_first_sum(payloads_copy_first_sum),
+        .copy_last_sum(payloads_copy_last_sum), .copy_first_difference(payloads_copy_first_difference),
+        .copy_last_difference(payloads_copy_last_difference), .copy_tile(payloads_copy_tile),
+        .copy_splat(payloads_copy_splat),
+        .placed_valid(tile_cache_out_valid), .placed_ready(payloads_placed_ready),
+        .placed_end(tile_cache_out_end), .placed_left(tile_cache_out_left),
+        .placed_right(tile_cache_out_right), .placed_top(tile_cache_out_top),
+        .placed_bottom(tile_cache_out_bottom), .placed_first_sum(tile_cache_out_first_sum),
+        .placed_last_sum(tile_cache_out_last_sum), .placed_first_difference(tile_cache_out_first_difference),
+        .placed_last_difference(tile_cache_out_last_difference), .placed_tile(tile_cache_out_tile),
+        .placed_splat(tile_cache_out_splat), .placed_slot(tile_cache_out_slot),
+        .out_valid(payloads_out_valid), .out_ready(rasterizer_in_ready), .out_end(payloads_out_end),
+        .out_center_x(payloads_out_center_x), .out_center_y(payloads_out_center_y), .out_ax(payloads_out_ax),
+        .out_bx(payloads_out_bx), .out_ay(payloads_out_ay), .out_by(payloads_out_by),
+        .out_delta(payloads_out_delta), .out_mx(payloads_out_mx), .out_my(payloads_out_my),
+        .out_shift(payloads_out_shift), .out_depth(payloads_out_depth),
+        .out_depth_low(payloads_out_depth_low), .out_depth_high(payloads_out_depth_high),
+        .out_attribute_0(payloads_out_attribute_0), .out_attribute_1(payloads_out_attribute_1),
+        .out_attribute_2(payloads_out_attribute_2), .out_left(payloads_out_left),
+        .out_right(payloads_out_right), .out_top(payloads_out_top), .out_bottom(payloads_out_bottom),
+        .out_first_sum(payloads_out_first_sum), .out_last_sum(payloads_out_last_sum),
+        .out_first_difference(payloads_out_first_difference),
+        .out_last_difference(payloads_out_last_difference), .out_tile(payloads_out_tile),
+        .out_slot(payloads_out_slot)
+    );
 
-    assign out_data = head;
+    splat_reorder reorder (
+        .clk(clk), .rst(rst), .in_valid(payloads_copy_valid), .in_ready(reorder_in_ready),
+        .in_end(payloads_copy_end), .in_left(payloads_copy_left), .in_right(payloads_copy_right),
+        .in_top(payloads_copy_top), .in_bottom(payloads_copy_bottom), .in_first_sum(payloads_copy_first_sum),
+        .in_last_sum(payloads_copy_last_sum), .in_first_difference(payloads_copy_first_difference),
+        .in_last_difference(payloads_copy_last_difference), .in_tile(payloads_copy_tile),
+        .in_splat(payloads_copy_splat),
+        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile),
+        .out_splat(reorder_out_splat)
+    );
 
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
+    splat_tile_cache tile_cache (
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_left(reorder_out_left), .in_right(reorder_out_right),
+        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
+        .in_splat(reorder_out_splat),
+        .out_valid(tile_cache_out_valid), .out_ready(payloads_placed_ready), .out_end(tile_cache_out_end),
+        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom), .out_first_sum(tile_cache_out_first_sum),
+        .out_last_sum(tile_cache_out_last_sum), .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_splat(tile_cache_out_splat), .out_slot(tile_cache_out_slot),
+        .pixel_valid(pixel_valid), .pixel_ready(pixel_ready), .pixel_end(pixel_end), .pixel_tile(pixel_tile),
+        .pixel_pixel(pixel_pixel), .pixel_weight(pixel_weight), .pixel_depth(pixel_depth),
+        .pixel_attribute_0(pixel_attribute_0), .pixel_attribute_1(pixel_attribute_1),
+        .pixel_attribute_2(pixel_attribute_2),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .sample_reads(accumulator_sample_reads),
+        .frame_end(accumulator_frame_end),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .sample_writes(accumulator_sample_writes),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
+        .read_count(read_count),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2)
+    );
 
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
+    splat_rasterizer rasterizer (
+        .clk(clk), .rst(rst), .in_valid(payloads_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(payloads_out_end), .in_center_x(payloads_out_center_x), .in_center_y(payloads_out_center_y),
+        .in_ax(payloads_out_ax), .in_bx(payloads_out_bx), .in_ay(payloads_out_ay), .in_by(payloads_out_by),
+        .in_delta(payloads_out_delta), .in_mx(payloads_out_mx), .in_my(payloads_out_my),
+        .in_shift(payloads_out_shift), .in_depth(payloads_out_depth), .in_depth_low(payloads_out_depth_low),
+        .in_depth_high(payloads_out_depth_high), .in_attribute_0(payloads_out_attribute_0),
+        .in_attribute_1(payloads_out_attribute_1), .in_attribute_2(payloads_out_attribute_2),
+        .in_left(payloads_out_left), .in_right(payloads_out_right), .in_top(payloads_out_top),
+        .in_bottom(payloads_out_bottom), .in_first_sum(payloads_out_first_sum),
+        .in_last_sum(payloads_out_last_sum), .in_first_difference(payloads_out_first_difference),
+        .in_last_difference(payloads_out_last_difference), .in_tile(payloads_out_tile),
+        .in_slot(payloads_out_slot),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
+        .filter_scale(filter_scale),
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
+    );
+
+    splat_weighting weighting (
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
+        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2)
+    );
+
+    splat_accumulator accumulator (
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .sample_reads(accumulator_sample_reads), .sample_writes(accumulator_sample_writes),
+        .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
+        .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
+        .drained_weight(accumulator_drained_weight), .drained_depth(accumulator_drained_depth),
+        .drained_attribute_0(accumulator_drained_attribute_0),
+        .drained_attribute_1(accumulator_drained_attribute_1),
+        .drained_attribute_2(accumulator_drained_attribute_2),
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
+    );
 endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 4
+// banks = 2
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
@@ -851,7 +1028,11 @@ module splat_accumulator (
     output reg  retire_valid,  // A copy is done with.
     output reg  [1:0] retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
-    input  wire fill_valid,  // Write to a slot.
+    input  wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    input  wire [1:0] change_slot,  // Slot of the tile cache.
+    input  wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    input  wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire fill_valid,  // Write to a slot, until it is carried out.
     input  wire [1:0] fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
@@ -859,18 +1040,28 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire drain_enable,  // Read of a slot.
+    input  wire drain_enable,  // Read of a slot, until it is carried out.
     input  wire [1:0] drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
-    output wire [27:0] drain_weight,  // Sum of weights.
-    output wire [51:0] drain_depth,  // Sum of weighted depths.
-    output wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    output wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    output wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    output wire drained_valid,  // A pixel that was read.
+    output wire [5:0] drained_pixel,  // Pixel of the tile.
+    output wire [27:0] drained_weight,  // Sum of weights.
+    output wire [51:0] drained_depth,  // Sum of weighted depths.
+    output wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  event_accumulate,  // The accumulator took a sample.
     output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_0_masks [0:3];
+    (* ram_style = "distributed" *)
+    reg [63:0] bank_1_masks [0:3];
     reg valid_1, inside_1, last_1;
     reg [1:0] slot_1;
     reg [5:0] pixel_1;
@@ -910,15 +1101,17 @@ module splat_accumulator (
     reg [15:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
-    wire [127:0] slot_0_read;
-    reg [127:0] slot_0_pixel;
-    wire [127:0] slot_1_read;
-    reg [127:0] slot_1_pixel;
-    wire [127:0] slot_2_read;
-    reg [127:0] slot_2_pixel;
-    wire [127:0] slot_3_read;
-    reg [127:0] slot_3_pixel, stored;
-    reg [1:0] drained_slot;
+    reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
+    reg is_written_1, is_written_2;
+    wire [127:0] bank_0_read;
+    reg [127:0] bank_0_pixel;
+    wire [127:0] bank_1_read;
+    reg [127:0] bank_1_pixel;
+    reg drains_1;
+    reg [5:0] drained_pixel_1;
+    reg drains_2;
+    reg [5:0] drained_pixel_2;
+    reg [127:0] stored;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -956,10 +1149,19 @@ module splat_accumulator (
     wire depth_test_fail, depth_test_pass;
     wire [15:0] add_attribute_0_y, add_attribute_1_y, add_attribute_2_y;
 
-    wire [127:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
-    wire filling_0 = fill_valid & (fill_slot == 2'd0);
-    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [127:0] slot_3_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
+    wire reads = may_issue_inside & arrived;
+    wire sample_reads_1 = reads & head_pixel[0];
+    wire sample_reads_0 = reads & ~head_pixel[0];
+    wire [1:0] reads_bank = {sample_reads_1, sample_reads_0};
+    wire [1:0] will_write_bank = {inside_7 & pixel_7[0], inside_7 & ~pixel_7[0]};
+    wire [127:0] drained_word = drained_pixel_2[0] ? bank_1_pixel : bank_0_pixel;
+    wire sample_ends_in_0 = inside_8 & ~pixel_8[0];
+    wire changes = ~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]);
+    wire writes_0 = sample_ends_in_0 ? changes : (fill_valid & ~fill_pixel[0]);
+    wire [6:0] bank_1_pixels_address_bits = {slot_8, pixel_8[5:1]};
+    wire [6:0] bank_1_pixels_address_bits_2 = {fill_slot, fill_pixel[5:1]};
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
     wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
@@ -971,23 +1173,19 @@ module splat_accumulator (
         late_pass_5 ? attribute_0_8 : result_bits, late_pass_5 ? attribute_1_8 : result_bits_2,
         late_pass_5 ? attribute_2_8 : result_bits_3
     };
-    wire head_valid_and_not_head_end = head_valid & ~head_end;
-    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
-    wire on_the_way = |collisions;
-    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 2'd0);
-    wire filling_1 = fill_valid & (fill_slot == 2'd1);
-    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 2'd1);
-    wire filling_2 = fill_valid & (fill_slot == 2'd2);
-    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 2'd2);
-    wire filling_3 = fill_valid & (fill_slot == 2'd3);
-    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 2'd3);
+    wire [127:0] bank_1_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [6:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
+    wire [6:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
+    wire sample_ends_in_1 = inside_8 & pixel_8[0];
+    wire writes_1 = sample_ends_in_1 ? changes : (fill_valid & fill_pixel[0]);
     wire slot_wait = may_issue_inside & ~arrived;
+    wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
     wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
     wire places_out_end = places_out_data[10];
     wire places_out_last = places_out_data[9];
     wire places_out_inside = places_out_data[8];
@@ -1012,39 +1210,91 @@ module splat_accumulator (
     };
     wire [3:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [3:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
+    wire [1:0] masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
+    wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
+    wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
+    wire [1:0] masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
+    wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
+    wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
+    wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
+    wire drains_1_either = (~drain_pixel[0] & reads_bank[0]) | (drain_pixel[0] & reads_bank[1]);
+    wire [31:0] pixel_bit = 32'd1 << head_pixel[5:1];
+    wire [63:0] bank_0_masks_data_bits = {
+        change_held[62], change_held[60], change_held[58], change_held[56], change_held[54], change_held[52],
+        change_held[50], change_held[48], change_held[46], change_held[44], change_held[42], change_held[40],
+        change_held[38], change_held[36], change_held[34], change_held[32], change_held[30], change_held[28],
+        change_held[26], change_held[24], change_held[22], change_held[20], change_held[18], change_held[16],
+        change_held[14], change_held[12], change_held[10], change_held[8], change_held[6], change_held[4],
+        change_held[2], change_held[0], 32'd0
+    };
+    wire [63:0] bank_1_masks_data_bits = {
+        change_held[63], change_held[61], change_held[59], change_held[57], change_held[55], change_held[53],
+        change_held[51], change_held[49], change_held[47], change_held[45], change_held[43], change_held[41],
+        change_held[39], change_held[37], change_held[35], change_held[33], change_held[31], change_held[29],
+        change_held[27], change_held[25], change_held[23], change_held[21], change_held[19], change_held[17],
+        change_held[15], change_held[13], change_held[11], change_held[9], change_held[7], change_held[5],
+        change_held[3], change_held[1], 32'd0
+    };
 
-    assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
+    assign sample_reads = reads_bank;
+    assign sample_writes = will_write_bank;
+    assign masks_written = {
+        bank_1_was_written[31], bank_0_was_written[31], bank_1_was_written[30], bank_0_was_written[30],
+        bank_1_was_written[29], bank_0_was_written[29], bank_1_was_written[28], bank_0_was_written[28],
+        bank_1_was_written[27], bank_0_was_written[27], bank_1_was_written[26], bank_0_was_written[26],
+        bank_1_was_written[25], bank_0_was_written[25], bank_1_was_written[24], bank_0_was_written[24],
+        bank_1_was_written[23], bank_0_was_written[23], bank_1_was_written[22], bank_0_was_written[22],
+        bank_1_was_written[21], bank_0_was_written[21], bank_1_was_written[20], bank_0_was_written[20],
+        bank_1_was_written[19], bank_0_was_written[19], bank_1_was_written[18], bank_0_was_written[18],
+        bank_1_was_written[17], bank_0_was_written[17], bank_1_was_written[16], bank_0_was_written[16],
+        bank_1_was_written[15], bank_0_was_written[15], bank_1_was_written[14], bank_0_was_written[14],
+        bank_1_was_written[13], bank_0_was_written[13], bank_1_was_written[12], bank_0_was_written[12],
+        bank_1_was_written[11], bank_0_was_written[11], bank_1_was_written[10], bank_0_was_written[10],
+        bank_1_was_written[9], bank_0_was_written[9], bank_1_was_written[8], bank_0_was_written[8],
+        bank_1_was_written[7], bank_0_was_written[7], bank_1_was_written[6], bank_0_was_written[6],
+        bank_1_was_written[5], bank_0_was_written[5], bank_1_was_written[4], bank_0_was_written[4],
+        bank_1_was_written[3], bank_0_was_written[3], bank_1_was_written[2], bank_0_was_written[2],
+        bank_1_was_written[1], bank_0_was_written[1], bank_1_was_written[0], bank_0_was_written[0]
+    };
+    assign masks_dirty = {
+        bank_1_was_dirty[31], bank_0_was_dirty[31], bank_1_was_dirty[30], bank_0_was_dirty[30],
+        bank_1_was_dirty[29], bank_0_was_dirty[29], bank_1_was_dirty[28], bank_0_was_dirty[28],
+        bank_1_was_dirty[27], bank_0_was_dirty[27], bank_1_was_dirty[26], bank_0_was_dirty[26],
+        bank_1_was_dirty[25], bank_0_was_dirty[25], bank_1_was_dirty[24], bank_0_was_dirty[24],
+        bank_1_was_dirty[23], bank_0_was_dirty[23], bank_1_was_dirty[22], bank_0_was_dirty[22],
+        bank_1_was_dirty[21], bank_0_was_dirty[21], bank_1_was_dirty[20], bank_0_was_dirty[20],
+        bank_1_was_dirty[19], bank_0_was_dirty[19], bank_1_was_dirty[18], bank_0_was_dirty[18],
+        bank_1_was_dirty[17], bank_0_was_dirty[17], bank_1_was_dirty[16], bank_0_was_dirty[16],
+        bank_1_was_dirty[15], bank_0_was_dirty[15], bank_1_was_dirty[14], bank_0_was_dirty[14],
+        bank_1_was_dirty[13], bank_0_was_dirty[13], bank_1_was_dirty[12], bank_0_was_dirty[12],
+        bank_1_was_dirty[11], bank_0_was_dirty[11], bank_1_was_dirty[10], bank_0_was_dirty[10],
+        bank_1_was_dirty[9], bank_0_was_dirty[9], bank_1_was_dirty[8], bank_0_was_dirty[8],
+        bank_1_was_dirty[7], bank_0_was_dirty[7], bank_1_was_dirty[6], bank_0_was_dirty[6],
+        bank_1_was_dirty[5], bank_0_was_dirty[5], bank_1_was_dirty[4], bank_0_was_dirty[4],
+        bank_1_was_dirty[3], bank_0_was_dirty[3], bank_1_was_dirty[2], bank_0_was_dirty[2],
+        bank_1_was_dirty[1], bank_0_was_dirty[1], bank_1_was_dirty[0], bank_0_was_dirty[0]
+    };
+    assign drained_valid = drains_2;
+    assign drained_pixel = drained_pixel_2;
+    assign {drained_weight, drained_depth, drained_attribute_0, drained_attribute_1, drained_attribute_2} = drained_word;
 
-    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_0_pixels (
-        .clk(clk), .write(filling_0 | (writes & (slot_8 == 2'd0))),
-        .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : slot_0_pixel_enable_both),
-        .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(128)) bank_0_pixels (
+        .clk(clk), .write(writes_0),
+        .write_address(sample_ends_in_0 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_0 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_0 | (drain_enable & ~drain_pixel[0])),
+        .read_address(sample_reads_0 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_0_read)
     );
 
-    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_1_pixels (
-        .clk(clk), .write(filling_1 | (writes & (slot_8 == 2'd1))),
-        .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : slot_1_pixel_enable_both),
-        .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_2_pixels (
-        .clk(clk), .write(filling_2 | (writes & (slot_8 == 2'd2))),
-        .write_address(filling_2 ? fill_pixel : pixel_8),
-        .write_data(filling_2 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : slot_2_pixel_enable_both),
-        .read_address(slot_ready[2] ? head_pixel : drain_pixel), .read_data(slot_2_read)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_3_pixels (
-        .clk(clk), .write(filling_3 | (writes & (slot_8 == 2'd3))),
-        .write_address(filling_3 ? fill_pixel : pixel_8),
-        .write_data(filling_3 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : slot_3_pixel_enable_both),
-        .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(128)) bank_1_pixels (
+        .clk(clk), .write(writes_1),
+        .write_address(sample_ends_in_1 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
+        .write_data(sample_ends_in_1 ? result : bank_1_pixels_data_bits),
+        .read(sample_reads_1 | (drain_enable & drain_pixel[0])),
+        .read_address(sample_reads_1 ? bank_1_read_address_bits : bank_1_read_address_bits_2),
+        .read_data(bank_1_read)
     );
 
     stream_fifo_d64_w11_distributed places (
@@ -1101,6 +1351,8 @@ module splat_accumulator (
             valid_8 <= 1'd0;
             inside_8 <= 1'd0;
             head_valid <= 1'd0;
+            drains_1 <= 1'd0;
+            drains_2 <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
@@ -1123,6 +1375,8 @@ module splat_accumulator (
             inside_7 <= inside_6;
             valid_8 <= valid_7;
             inside_8 <= inside_7;
+            drains_1 <= drain_enable & ~drains_1_either;
+            drains_2 <= drains_1;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -1157,7 +1411,13 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
+        is_written_1 <= head_pixel[0] ? is_written_1_shifted[0] : is_written_1_shifted_2[0];
+        is_written_2 <= is_written_1;
+        bank_0_pixel <= bank_0_read;
+        bank_1_pixel <= bank_1_read;
+        drained_pixel_1 <= drain_pixel;
+        drained_pixel_2 <= drained_pixel_1;
+        stored <= {128{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1232,14 +1492,30 @@ module splat_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
-        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | slot_1_pixel_enable_both) slot_1_pixel <= slot_1_read;
-        if (slot_ready[2] | slot_2_pixel_enable_both) slot_2_pixel <= slot_2_read;
-        if (slot_ready[3] | slot_3_pixel_enable_both) slot_3_pixel <= slot_3_read;
-        if (drain_enable) drained_slot <= drain_slot;
+        if (changes_0) begin
+            bank_0_was_written <= bank_0_mask[63:32];
+            bank_0_was_dirty <= bank_0_mask[31:0];
+        end
+        if (changes_1) begin
+            bank_1_was_written <= bank_1_mask[63:32];
+            bank_1_was_dirty <= bank_1_mask[31:0];
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & ~head_pixel[0]) | changes_0) begin
+            bank_0_masks[masked_slot_0] <= sample_reads_0 ? (bank_0_mask | {pixel_bit, pixel_bit}) : bank_0_masks_data_bits;
+        end
+    end
+    always @(posedge clk) begin
+        if ((issue_inside & head_pixel[0]) | changes_1) begin
+            bank_1_masks[masked_slot_1] <= sample_reads_1 ? (bank_1_mask | {pixel_bit, pixel_bit}) : bank_1_masks_data_bits;
+        end
     end
 
-    wire _unused = &{1'b0, arrived_shifted[3:1], arrived_shifted_2[3:1], samples_in_ready, samples_out_valid};
+    wire _unused = &{
+        1'b0, arrived_shifted[3:1], arrived_shifted_2[3:1], is_written_1_shifted[31:1],
+        is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -1546,6 +1822,7 @@ module splat_weighting (
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [58:0] delay_10_from_0 [0:8];
+    reg [4:0] credits;
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
@@ -1554,12 +1831,20 @@ module splat_weighting (
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4;
     reg [9:0] in_flight;
+    reg left;
 
-    wire [162:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y;
+    wire queue_1_in_ready;
+    wire [114:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [47:0] queue_2_out_data;
 
+    assign in_ready = ~credits[4];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire kept = in_flight[9];
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
@@ -1567,85 +1852,225 @@ module splat_weighting (
     wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
     wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
     wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
-    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
-    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
-        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2
-    } = queue_out_data;
+        out_depth_high
+    } = queue_1_out_data;
+    assign {out_attribute_0, out_attribute_1, out_attribute_2} = queue_2_out_data;
 
-    stream_skid_w163 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
-        .in_data({
-            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
-            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
-
-    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
-        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
-    );
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u16q16_f16_unit_y));
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
+    );
+
+    stream_fifo_d14_w115_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d14_w48_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 5'd13;
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left};
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            in_flight <= {in_flight[8:0], in_valid};
+            in_flight <= {in_flight[8:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            weight_d8 <= weight_d7;
-            weight_d9 <= weight_d8;
-            weight_d10 <= weight_d9;
-            attribute_0_d1 <= in_attribute_0;
-            attribute_0_d2 <= attribute_0_d1;
-            attribute_0_d3 <= attribute_0_d2;
-            attribute_0_d4 <= attribute_0_d3;
-            attribute_1_d1 <= in_attribute_1;
-            attribute_1_d2 <= attribute_1_d1;
-            attribute_1_d3 <= attribute_1_d2;
-            attribute_1_d4 <= attribute_1_d3;
-            attribute_2_d1 <= in_attribute_2;
-            attribute_2_d2 <= attribute_2_d1;
-            attribute_2_d3 <= attribute_2_d2;
-            attribute_2_d4 <= attribute_2_d3;
+        weight_d8 <= weight_d7;
+        weight_d9 <= weight_d8;
+        weight_d10 <= weight_d9;
+        attribute_0_d1 <= in_attribute_0;
+        attribute_0_d2 <= attribute_0_d1;
+        attribute_0_d3 <= attribute_0_d2;
+        attribute_0_d4 <= attribute_0_d3;
+        attribute_1_d1 <= in_attribute_1;
+        attribute_1_d2 <= attribute_1_d1;
+        attribute_1_d3 <= attribute_1_d2;
+        attribute_1_d4 <= attribute_1_d3;
+        attribute_2_d1 <= in_attribute_2;
+        attribute_2_d2 <= attribute_2_d1;
+        attribute_2_d3 <= attribute_2_d2;
+        attribute_2_d4 <= attribute_2_d3;
+    end
+    always @(posedge clk) begin
+        delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_10_from_0[delay_10_from_0_pointer] <= {in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 48
+// storage = distributed
+module stream_fifo_d14_w48_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [47:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [47:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [47:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [47:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 14
+// width = 115
+// storage = distributed
+module stream_fifo_d14_w115_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [114:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [114:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [114:0] entries [0:13];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [114:0] item;
+
+    wire has_room = ~(held == 4'd14);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
+        end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
-        end
-        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd14);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point product.
@@ -1840,49 +2265,6 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
             y <= {1'd0, y_choice};
         end
     end
-endmodule
-
-// Queue of two in registers.
-// width = 163
-module stream_skid_w163 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [162:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [162:0] out_data
-);
-    reg second_valid;
-    reg [162:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
@@ -2160,6 +2542,7 @@ module splat_evaluation (
     reg [15:0] delay_27_from_0 [0:25];
     (* ram_style = "distributed" *)
     reg [7:0] delay_39_from_0 [0:37];
+    reg [6:0] credits;
     reg [3:0] delay_11_from_0_pointer;
     reg delay_11_from_0_out;
     reg [3:0] delay_15_from_0_pointer;
@@ -2259,20 +2642,25 @@ module splat_evaluation (
     reg [15:0] weight_out_product_bits_d1, weight_out_lesser_d1;
     reg inside_out_d1;
     reg [38:0] in_flight;
+    reg left, dropped;
 
-    wire [26:0] queue_out_data;
     wire [35:0] mul_s18_s18_unit_y, mul_s18_s18_unit_copy2_y, mul_s18_s18_unit_copy3_y, mul_s18_s18_unit_copy4_y;
     wire [35:0] mul_s18_s18_unit_copy5_y, mul_s18_s18_unit_copy6_y, mul_s18_s18_unit_copy7_y;
     wire [35:0] mul_s18_s18_unit_copy8_y, mul_u18_u18_unit_y, mul_u18_u18_unit_copy2_y, mul_u18_u18_unit_copy3_y;
     wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
+    wire queue_1_in_ready;
+    wire [26:0] queue_1_out_data;
 
+    assign in_ready = ~credits[6];
     wire end_or_last_or_inside_out_d20 = delay_20_from_0_out[3];
+    wire kept = in_flight[38] & end_or_last_or_inside_out_d20;
     wire end_d39 = delay_20_from_0_out[0];
     wire last_d39 = delay_20_from_0_out[1];
     wire inside_out_d21 = delay_20_from_0_out[2];
     wire [1:0] slot_d39 = delay_39_from_0_out[1:0];
     wire [5:0] pixel_out_d39 = delay_39_from_0_out[7:2];
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire [28:0] x = ({21'd0, in_column, 1'd1} << 13) - {in_center_x[27], in_center_x};
     wire [28:0] s1_chosen = in_shift[3] ? {{8{x[28]}}, x[28:8]} : x;
     wire [24:0] s1_chosen_copy2 = shift_bits_d1 ? {{4{s1_chosen_d1[24]}}, s1_chosen_d1[24:4]} : s1_chosen_d1;
@@ -2426,72 +2814,72 @@ module splat_evaluation (
     wire end_or_last_or_inside_out = end_d19 | last_or_inside_out;
     wire [15:0] weight_out_chosen_copy37 = weight_out_both_d1_copy8 ? weight_out_product_bits_d1 : 16'hffff;
 
-    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
-
-    stream_skid_w27 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[38] & end_or_last_or_inside_out_d20), .in_ready(in_ready),
-        .in_data({end_d39, last_d39, inside_out_d21, slot_d39, pixel_out_d39, interpolate_8_8_16_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s18_s18_unit_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s18_s18_unit_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s18_s18_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s18_s18_unit_copy2_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s18_s18_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s18_s18_unit_copy3_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s18_s18_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s18_s18_unit_copy4_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s18_s18_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s18_s18_unit_copy5_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s18_s18_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s18_s18_unit_copy6_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2), .y(mul_s18_s18_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2), .y(mul_s18_s18_unit_copy7_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2), .y(mul_s18_s18_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2), .y(mul_s18_s18_unit_copy8_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit (
-        .clk(clk), .enable(in_ready), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
+        .clk(clk), .enable(1'd1), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
         .y(mul_u18_u18_unit_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy13),
-        .b(weight_out_chosen_bits_d1_copy13), .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(weight_out_chosen_bits_d1_copy13), .b(weight_out_chosen_bits_d1_copy13),
+        .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy14),
-        .b(weight_out_chosen_bits_d1_copy14), .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(weight_out_chosen_bits_d1_copy14), .b(weight_out_chosen_bits_d1_copy14),
+        .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
-        .clk(clk), .enable(in_ready), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale),
-        .y(mul_u18_u16_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale), .y(mul_u18_u16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(in_ready), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
+    );
+
+    stream_fifo_d43_w27_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d39, last_d39, inside_out_d21, slot_d39, pixel_out_d39, interpolate_8_8_16_unit_y}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 7'd42;
             delay_11_from_0_pointer <= 4'd0;
             delay_15_from_0_pointer <= 4'd0;
             delay_18_from_0_pointer <= 5'd0;
@@ -2500,7 +2888,10 @@ module splat_evaluation (
             delay_27_from_0_pointer <= 5'd0;
             delay_39_from_0_pointer <= 6'd0;
             in_flight <= 39'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+            dropped <= 1'd0;
+        end else begin
+            credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left} + {6'd0, dropped};
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
             delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
             delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
@@ -2508,215 +2899,280 @@ module splat_evaluation (
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_27_from_0_pointer <= (delay_27_from_0_pointer == 5'd25) ? (delay_27_from_0_pointer - 5'd25) : (delay_27_from_0_pointer + 5'd1);
             delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
-            in_flight <= {in_flight[37:0], in_valid};
+            in_flight <= {in_flight[37:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
+            dropped <= in_flight[38] & ~end_or_last_or_inside_out_d20;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            end_d19 <= delay_18_from_0_out;
-            s1_chosen_d1 <= s1_chosen[24:0];
-            shift_bits_d1 <= in_shift[2];
-            shift_bits_d1_copy2 <= in_shift[1];
-            shift_bits_d1_copy3 <= in_shift[0];
-            s1_chosen_d1_copy2 <= s1_chosen_copy4[17:0];
-            s1_chosen_d1_copy3 <= s1_chosen_copy5[24:0];
-            s1_chosen_d1_copy4 <= s1_chosen_copy8[17:0];
-            ay_d1 <= in_ay;
-            ay_d2 <= ay_d1;
-            ax_d1 <= in_ax;
-            ax_d2 <= ax_d1;
-            s1_d1 <= s1;
-            by_d1 <= in_by;
-            by_d2 <= by_d1;
-            bx_d1 <= in_bx;
-            bx_d2 <= bx_d1;
-            s2_d1 <= s2;
-            mx_d1 <= in_mx;
-            mx_d2 <= mx_d1;
-            my_d1 <= in_my;
-            my_d2 <= my_d1;
-            s1_chosen_times_my_d1 <= mul_s18_s18_unit_copy6_y;
-            d_shifted_d1 <= {{15{in_delta[21]}}, in_delta} << 14;
-            d_shifted_d2 <= d_shifted_d1;
-            d_shifted_d3 <= d_shifted_d2;
-            d_shifted_d4 <= d_shifted_d3;
-            d_sum_d1 <= d_sum;
-            d_d1 <= d;
-            weight_out_chosen_bits_d1 <= weight_out_chosen[35:0];
-            weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
-            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[35:0];
-            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy2;
-            weight_out_chosen_bits_d3 <= weight_out_chosen_bits_d2_copy2;
-            weight_out_chosen_bits_d1_copy3 <= weight_out_chosen_copy3[35:0];
-            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy3;
-            weight_out_chosen_bits_d3_copy2 <= weight_out_chosen_bits_d2_copy3;
-            weight_out_same_d1 <= weight_out_same;
-            weight_out_same_d1_copy2 <= weight_out_same_copy2;
-            weight_out_same_d1_copy3 <= weight_out_same_copy3;
-            not_weight_out_both_d1 <= not_weight_out_both;
-            weight_out_both_d1 <= weight_out_both_copy2;
-            weight_out_both_d2 <= weight_out_both_d1;
-            weight_out_both_d3 <= weight_out_both_d2;
-            weight_out_chosen_d1 <= weight_out_chosen_copy4;
-            weight_out_chosen_d2 <= weight_out_chosen_d1;
-            weight_out_chosen_d1_copy2 <= weight_out_chosen_copy5;
-            weight_out_chosen_d2_copy2 <= weight_out_chosen_d1_copy2;
-            weight_out_chosen_d1_copy3 <= weight_out_chosen_copy6;
-            weight_out_chosen_d2_copy3 <= weight_out_chosen_d1_copy3;
-            weight_out_chosen_bits_is_zero_d1 <= weight_out_chosen_bits_is_zero;
-            zero_is_weight_out_chosen_bits_d1 <= zero_is_weight_out_chosen_bits;
-            zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
-            weight_out_both_d1_copy2 <= weight_out_both_copy4;
-            weight_out_either_d1 <= weight_out_either;
-            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy7[35:3];
-            weight_out_chosen_bits_d1_copy5 <= weight_out_chosen_copy8[35:3];
-            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy9[35:3];
-            weight_out_same_d1_copy4 <= weight_out_same_copy4;
-            weight_out_same_d1_copy5 <= weight_out_same_copy5;
-            weight_out_same_d1_copy6 <= weight_out_same_copy6;
-            weight_out_both_d1_copy3 <= weight_out_both_copy6;
-            weight_out_either_d1_copy2 <= weight_out_either_copy2;
-            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy10[32:8];
-            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy11[32:8];
-            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy12[32:8];
-            weight_out_same_d1_copy7 <= weight_out_same_copy7;
-            weight_out_same_d1_copy8 <= weight_out_same_copy8;
-            weight_out_same_d1_copy9 <= weight_out_same_copy9;
-            weight_out_both_d1_copy4 <= weight_out_both_copy8;
-            weight_out_same_d1_copy10 <= weight_out_same_copy10;
-            weight_out_both_d1_copy5 <= weight_out_both_copy9;
-            weight_out_either_d1_copy3 <= weight_out_either_copy4;
-            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy16[20:2];
-            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy17[20:2];
-            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy18[20:2];
-            weight_out_same_d1_copy11 <= weight_out_same_copy13;
-            not_weight_out_both_d1_copy2 <= not_weight_out_both_copy6;
-            denominator_chosen_bits_d1 <= denominator_chosen[18:1];
-            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy19[18:1];
-            weight_out_chosen_bits_d1_copy14 <= weight_out_chosen_copy20[18:1];
-            denominator_d1 <= mul_u18_u18_unit_y;
-            weight_out_sum_d1 <= weight_out_sum;
-            weight_out_in_order_d1 <= weight_out_in_order;
-            not_weight_out_either_d1 <= not_weight_out_either;
-            not_weight_out_either_d2 <= not_weight_out_either_d1;
-            not_weight_out_either_d3 <= not_weight_out_either_d2;
-            not_weight_out_either_d4 <= not_weight_out_either_d3;
-            denominator_bits_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
-            denominator_bits_d2 <= denominator_bits_d1;
-            denominator_bits_d3 <= denominator_bits_d2;
-            denominator_bits_d4 <= denominator_bits_d3;
-            denominator_bits_d5 <= denominator_bits_d4;
-            denominator_bits_d6 <= denominator_bits_d5;
-            denominator_bits_d7 <= denominator_bits_d6;
-            denominator_bits_d8 <= denominator_bits_d7;
-            denominator_bits_d9 <= denominator_bits_d8;
-            denominator_bits_d10 <= denominator_bits_d9;
-            denominator_bits_d11 <= denominator_bits_d10;
-            denominator_bits_d12 <= denominator_bits_d11;
-            denominator_bits_d13 <= denominator_bits_d12;
-            denominator_bits_d14 <= denominator_bits_d13;
-            denominator_bits_d15 <= denominator_bits_d14;
-            denominator_bits_d16 <= denominator_bits_d15;
-            weight_out_shifted_d1 <= {2'd0, weight_out_sum[35:14]} << 1;
-            not_weight_out_difference_sign_d1 <= not_weight_out_difference_sign;
-            weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
-            weight_out_joined_d1 <= {not_weight_out_difference_sign_d1, not_weight_out_difference_sign_copy2};
-            weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
-            weight_out_joined_d1_copy2 <= {weight_out_joined_d1, not_weight_out_difference_sign_copy3};
-            weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
-            weight_out_joined_d1_copy3 <= {weight_out_joined_d1_copy2, not_weight_out_difference_sign_copy4};
-            weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
-            weight_out_joined_d1_copy4 <= {weight_out_joined_d1_copy3, not_weight_out_difference_sign_copy5};
-            weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
-            weight_out_joined_d1_copy5 <= {weight_out_joined_d1_copy4, not_weight_out_difference_sign_copy6};
-            weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
-            weight_out_joined_d1_copy6 <= {weight_out_joined_d1_copy5, not_weight_out_difference_sign_copy7};
-            weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
-            weight_out_joined_d1_copy7 <= {weight_out_joined_d1_copy6, not_weight_out_difference_sign_copy8};
-            weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
-            weight_out_joined_d1_copy8 <= {weight_out_joined_d1_copy7, not_weight_out_difference_sign_copy9};
-            weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
-            weight_out_joined_d1_copy9 <= {weight_out_joined_d1_copy8, not_weight_out_difference_sign_copy10};
-            weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
-            weight_out_joined_d1_copy10 <= {weight_out_joined_d1_copy9, not_weight_out_difference_sign_copy11};
-            weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
-            weight_out_joined_d1_copy11 <= {weight_out_joined_d1_copy10, not_weight_out_difference_sign_copy12};
-            weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
-            weight_out_joined_d1_copy12 <= {weight_out_joined_d1_copy11, not_weight_out_difference_sign_copy13};
-            weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy33[21:0]} << 1;
-            weight_out_joined_d1_copy13 <= {weight_out_joined_d1_copy12, not_weight_out_difference_sign_copy14};
-            weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy34[21:0]} << 1;
-            weight_out_joined_d1_copy14 <= {weight_out_joined_d1_copy13, not_weight_out_difference_sign_copy15};
-            weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy35[21:0]} << 1;
-            weight_out_joined_d1_copy15 <= {weight_out_joined_d1_copy14, not_weight_out_difference_sign_copy16};
-            weight_out_chosen_d1_copy4 <= weight_out_chosen_copy36;
-            x_bits_d1 <= x[28:17];
-            weight_out_either_d1_copy4 <= weight_out_either_copy6;
-            x_bits_d1_copy2 <= x[17:0];
-            y_bits_d1 <= y[28:17];
-            weight_out_either_d1_copy5 <= weight_out_either_copy7;
-            y_bits_d1_copy2 <= y[17:0];
-            weight_out_both_d1_copy6 <= weight_out_both_copy14;
-            weight_out_both_d2_copy2 <= weight_out_both_d1_copy6;
-            weight_out_sum_bits_d1 <= weight_out_sum_copy2[35:32];
-            weight_out_both_d1_copy7 <= weight_out_both_copy15;
-            weight_out_both_d2_copy3 <= weight_out_both_d1_copy7;
-            weight_out_sum_bits_d1_copy2 <= weight_out_sum_copy2[31:14];
-            weight_out_both_d1_copy8 <= weight_out_both_copy16;
-            weight_out_product_bits_d1 <= mul_u18_u16_unit_y[25:10];
-            weight_out_lesser_d1 <= weight_out_lesser;
-            inside_out_d1 <= inside_out;
-        end
+        end_d19 <= delay_18_from_0_out;
+        s1_chosen_d1 <= s1_chosen[24:0];
+        shift_bits_d1 <= in_shift[2];
+        shift_bits_d1_copy2 <= in_shift[1];
+        shift_bits_d1_copy3 <= in_shift[0];
+        s1_chosen_d1_copy2 <= s1_chosen_copy4[17:0];
+        s1_chosen_d1_copy3 <= s1_chosen_copy5[24:0];
+        s1_chosen_d1_copy4 <= s1_chosen_copy8[17:0];
+        ay_d1 <= in_ay;
+        ay_d2 <= ay_d1;
+        ax_d1 <= in_ax;
+        ax_d2 <= ax_d1;
+        s1_d1 <= s1;
+        by_d1 <= in_by;
+        by_d2 <= by_d1;
+        bx_d1 <= in_bx;
+        bx_d2 <= bx_d1;
+        s2_d1 <= s2;
+        mx_d1 <= in_mx;
+        mx_d2 <= mx_d1;
+        my_d1 <= in_my;
+        my_d2 <= my_d1;
+        s1_chosen_times_my_d1 <= mul_s18_s18_unit_copy6_y;
+        d_shifted_d1 <= {{15{in_delta[21]}}, in_delta} << 14;
+        d_shifted_d2 <= d_shifted_d1;
+        d_shifted_d3 <= d_shifted_d2;
+        d_shifted_d4 <= d_shifted_d3;
+        d_sum_d1 <= d_sum;
+        d_d1 <= d;
+        weight_out_chosen_bits_d1 <= weight_out_chosen[35:0];
+        weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
+        weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[35:0];
+        weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy2;
+        weight_out_chosen_bits_d3 <= weight_out_chosen_bits_d2_copy2;
+        weight_out_chosen_bits_d1_copy3 <= weight_out_chosen_copy3[35:0];
+        weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy3;
+        weight_out_chosen_bits_d3_copy2 <= weight_out_chosen_bits_d2_copy3;
+        weight_out_same_d1 <= weight_out_same;
+        weight_out_same_d1_copy2 <= weight_out_same_copy2;
+        weight_out_same_d1_copy3 <= weight_out_same_copy3;
+        not_weight_out_both_d1 <= not_weight_out_both;
+        weight_out_both_d1 <= weight_out_both_copy2;
+        weight_out_both_d2 <= weight_out_both_d1;
+        weight_out_both_d3 <= weight_out_both_d2;
+        weight_out_chosen_d1 <= weight_out_chosen_copy4;
+        weight_out_chosen_d2 <= weight_out_chosen_d1;
+        weight_out_chosen_d1_copy2 <= weight_out_chosen_copy5;
+        weight_out_chosen_d2_copy2 <= weight_out_chosen_d1_copy2;
+        weight_out_chosen_d1_copy3 <= weight_out_chosen_copy6;
+        weight_out_chosen_d2_copy3 <= weight_out_chosen_d1_copy3;
+        weight_out_chosen_bits_is_zero_d1 <= weight_out_chosen_bits_is_zero;
+        zero_is_weight_out_chosen_bits_d1 <= zero_is_weight_out_chosen_bits;
+        zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
+        weight_out_both_d1_copy2 <= weight_out_both_copy4;
+        weight_out_either_d1 <= weight_out_either;
+        weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy7[35:3];
+        weight_out_chosen_bits_d1_copy5 <= weight_out_chosen_copy8[35:3];
+        weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy9[35:3];
+        weight_out_same_d1_copy4 <= weight_out_same_copy4;
+        weight_out_same_d1_copy5 <= weight_out_same_copy5;
+        weight_out_same_d1_copy6 <= weight_out_same_copy6;
+        weight_out_both_d1_copy3 <= weight_out_both_copy6;
+        weight_out_either_d1_copy2 <= weight_out_either_copy2;
+        weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy10[32:8];
+        weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy11[32:8];
+        weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy12[32:8];
+        weight_out_same_d1_copy7 <= weight_out_same_copy7;
+        weight_out_same_d1_copy8 <= weight_out_same_copy8;
+        weight_out_same_d1_copy9 <= weight_out_same_copy9;
+        weight_out_both_d1_copy4 <= weight_out_both_copy8;
+        weight_out_same_d1_copy10 <= weight_out_same_copy10;
+        weight_out_both_d1_copy5 <= weight_out_both_copy9;
+        weight_out_either_d1_copy3 <= weight_out_either_copy4;
+        weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy16[20:2];
+        weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy17[20:2];
+        weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy18[20:2];
+        weight_out_same_d1_copy11 <= weight_out_same_copy13;
+        not_weight_out_both_d1_copy2 <= not_weight_out_both_copy6;
+        denominator_chosen_bits_d1 <= denominator_chosen[18:1];
+        weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy19[18:1];
+        weight_out_chosen_bits_d1_copy14 <= weight_out_chosen_copy20[18:1];
+        denominator_d1 <= mul_u18_u18_unit_y;
+        weight_out_sum_d1 <= weight_out_sum;
+        weight_out_in_order_d1 <= weight_out_in_order;
+        not_weight_out_either_d1 <= not_weight_out_either;
+        not_weight_out_either_d2 <= not_weight_out_either_d1;
+        not_weight_out_either_d3 <= not_weight_out_either_d2;
+        not_weight_out_either_d4 <= not_weight_out_either_d3;
+        denominator_bits_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
+        denominator_bits_d2 <= denominator_bits_d1;
+        denominator_bits_d3 <= denominator_bits_d2;
+        denominator_bits_d4 <= denominator_bits_d3;
+        denominator_bits_d5 <= denominator_bits_d4;
+        denominator_bits_d6 <= denominator_bits_d5;
+        denominator_bits_d7 <= denominator_bits_d6;
+        denominator_bits_d8 <= denominator_bits_d7;
+        denominator_bits_d9 <= denominator_bits_d8;
+        denominator_bits_d10 <= denominator_bits_d9;
+        denominator_bits_d11 <= denominator_bits_d10;
+        denominator_bits_d12 <= denominator_bits_d11;
+        denominator_bits_d13 <= denominator_bits_d12;
+        denominator_bits_d14 <= denominator_bits_d13;
+        denominator_bits_d15 <= denominator_bits_d14;
+        denominator_bits_d16 <= denominator_bits_d15;
+        weight_out_shifted_d1 <= {2'd0, weight_out_sum[35:14]} << 1;
+        not_weight_out_difference_sign_d1 <= not_weight_out_difference_sign;
+        weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
+        weight_out_joined_d1 <= {not_weight_out_difference_sign_d1, not_weight_out_difference_sign_copy2};
+        weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
+        weight_out_joined_d1_copy2 <= {weight_out_joined_d1, not_weight_out_difference_sign_copy3};
+        weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
+        weight_out_joined_d1_copy3 <= {weight_out_joined_d1_copy2, not_weight_out_difference_sign_copy4};
+        weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
+        weight_out_joined_d1_copy4 <= {weight_out_joined_d1_copy3, not_weight_out_difference_sign_copy5};
+        weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
+        weight_out_joined_d1_copy5 <= {weight_out_joined_d1_copy4, not_weight_out_difference_sign_copy6};
+        weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
+        weight_out_joined_d1_copy6 <= {weight_out_joined_d1_copy5, not_weight_out_difference_sign_copy7};
+        weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
+        weight_out_joined_d1_copy7 <= {weight_out_joined_d1_copy6, not_weight_out_difference_sign_copy8};
+        weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
+        weight_out_joined_d1_copy8 <= {weight_out_joined_d1_copy7, not_weight_out_difference_sign_copy9};
+        weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
+        weight_out_joined_d1_copy9 <= {weight_out_joined_d1_copy8, not_weight_out_difference_sign_copy10};
+        weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
+        weight_out_joined_d1_copy10 <= {weight_out_joined_d1_copy9, not_weight_out_difference_sign_copy11};
+        weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
+        weight_out_joined_d1_copy11 <= {weight_out_joined_d1_copy10, not_weight_out_difference_sign_copy12};
+        weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
+        weight_out_joined_d1_copy12 <= {weight_out_joined_d1_copy11, not_weight_out_difference_sign_copy13};
+        weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy33[21:0]} << 1;
+        weight_out_joined_d1_copy13 <= {weight_out_joined_d1_copy12, not_weight_out_difference_sign_copy14};
+        weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy34[21:0]} << 1;
+        weight_out_joined_d1_copy14 <= {weight_out_joined_d1_copy13, not_weight_out_difference_sign_copy15};
+        weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy35[21:0]} << 1;
+        weight_out_joined_d1_copy15 <= {weight_out_joined_d1_copy14, not_weight_out_difference_sign_copy16};
+        weight_out_chosen_d1_copy4 <= weight_out_chosen_copy36;
+        x_bits_d1 <= x[28:17];
+        weight_out_either_d1_copy4 <= weight_out_either_copy6;
+        x_bits_d1_copy2 <= x[17:0];
+        y_bits_d1 <= y[28:17];
+        weight_out_either_d1_copy5 <= weight_out_either_copy7;
+        y_bits_d1_copy2 <= y[17:0];
+        weight_out_both_d1_copy6 <= weight_out_both_copy14;
+        weight_out_both_d2_copy2 <= weight_out_both_d1_copy6;
+        weight_out_sum_bits_d1 <= weight_out_sum_copy2[35:32];
+        weight_out_both_d1_copy7 <= weight_out_both_copy15;
+        weight_out_both_d2_copy3 <= weight_out_both_d1_copy7;
+        weight_out_sum_bits_d1_copy2 <= weight_out_sum_copy2[31:14];
+        weight_out_both_d1_copy8 <= weight_out_both_copy16;
+        weight_out_product_bits_d1 <= mul_u18_u16_unit_y[25:10];
+        weight_out_lesser_d1 <= weight_out_lesser;
+        inside_out_d1 <= inside_out;
     end
     always @(posedge clk) begin
-        if (in_ready) delay_11_from_0[delay_11_from_0_pointer] <= weight_out_both_d1_copy8;
-        if (in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        delay_11_from_0[delay_11_from_0_pointer] <= weight_out_both_d1_copy8;
+        delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy13;
-        if (in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
+        delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy13;
+        delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_18_from_0[delay_18_from_0_pointer] <= in_end;
-        if (in_ready) delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
+        delay_18_from_0[delay_18_from_0_pointer] <= in_end;
+        delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_19_from_0[delay_19_from_0_pointer] <= in_last;
-        if (in_ready) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        delay_19_from_0[delay_19_from_0_pointer] <= in_last;
+        delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out_d1, delay_19_from_0_out, end_d19};
-        end
-        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out_d1, delay_19_from_0_out, end_d19};
+        delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_27_from_0[delay_27_from_0_pointer] <= weight_out_chosen_copy37;
-        if (in_ready) delay_27_from_0_out <= delay_27_from_0[delay_27_from_0_pointer];
+        delay_27_from_0[delay_27_from_0_pointer] <= weight_out_chosen_copy37;
+        delay_27_from_0_out <= delay_27_from_0[delay_27_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_39_from_0[delay_39_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
-        end
-        if (in_ready) delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
+        delay_39_from_0[delay_39_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
     end
 
     wire _unused = &{
-        1'b0, denominator_chosen[0], mul_u18_u16_unit_y[9:0], s1_chosen[28:25], s1_chosen_copy2[24:21],
-        s1_chosen_copy3[20:19], s1_chosen_copy4[18], s1_chosen_copy5[28:25], s1_chosen_copy6[24:21],
-        s1_chosen_copy7[20:19], s1_chosen_copy8[18], weight_out_chosen[36], weight_out_chosen_copy10[7:0],
-        weight_out_chosen_copy11[7:0], weight_out_chosen_copy12[7:0], weight_out_chosen_copy13[3:0],
-        weight_out_chosen_copy14[3:0], weight_out_chosen_copy15[3:0], weight_out_chosen_copy16[1:0],
-        weight_out_chosen_copy17[1:0], weight_out_chosen_copy18[1:0], weight_out_chosen_copy19[0],
-        weight_out_chosen_copy2[36], weight_out_chosen_copy20[0], weight_out_chosen_copy21[23:22],
-        weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22],
-        weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22],
-        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[36],
-        weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22],
-        weight_out_chosen_copy33[23:22], weight_out_chosen_copy34[23:22], weight_out_chosen_copy35[23:22],
-        weight_out_chosen_copy7[2:0], weight_out_chosen_copy8[2:0], weight_out_chosen_copy9[2:0],
-        weight_out_difference_copy16[22:0], weight_out_sum_copy2[13:0]
+        1'b0, denominator_chosen[0], mul_u18_u16_unit_y[9:0], queue_1_in_ready, s1_chosen[28:25],
+        s1_chosen_copy2[24:21], s1_chosen_copy3[20:19], s1_chosen_copy4[18], s1_chosen_copy5[28:25],
+        s1_chosen_copy6[24:21], s1_chosen_copy7[20:19], s1_chosen_copy8[18], weight_out_chosen[36],
+        weight_out_chosen_copy10[7:0], weight_out_chosen_copy11[7:0], weight_out_chosen_copy12[7:0],
+        weight_out_chosen_copy13[3:0], weight_out_chosen_copy14[3:0], weight_out_chosen_copy15[3:0],
+        weight_out_chosen_copy16[1:0], weight_out_chosen_copy17[1:0], weight_out_chosen_copy18[1:0],
+        weight_out_chosen_copy19[0], weight_out_chosen_copy2[36], weight_out_chosen_copy20[0],
+        weight_out_chosen_copy21[23:22], weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22],
+        weight_out_chosen_copy24[23:22], weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22],
+        weight_out_chosen_copy27[23:22], weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22],
+        weight_out_chosen_copy3[36], weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22],
+        weight_out_chosen_copy32[23:22], weight_out_chosen_copy33[23:22], weight_out_chosen_copy34[23:22],
+        weight_out_chosen_copy35[23:22], weight_out_chosen_copy7[2:0], weight_out_chosen_copy8[2:0],
+        weight_out_chosen_copy9[2:0], weight_out_difference_copy16[22:0], weight_out_sum_copy2[13:0]
     };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 43
+// width = 27
+// storage = distributed
+module stream_fifo_d43_w27_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [26:0] entries [0:42];
+    reg [5:0] held, waiting, write_address, read_address;
+    reg [26:0] item;
+
+    wire has_room = ~(held == 6'd43);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 6'd42) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd42) ? 6'd0 : (read_address + 6'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd43);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd43)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Sampled function, interpolated linearly.
@@ -3071,15 +3527,770 @@ module integer_mul_s2_s18_s18 (
     end
 endmodule
 
-// Queue of two in registers.
-// width = 27
-module stream_skid_w27 (
+// Control of the tile slots: placement, exchange with memory, end of frame.
+// slots = 4
+module splat_tile_cache (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
+    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
+    input  wire in_end,  // Closes the frame.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [7:0] in_tile,  // Tile index: row above column.
+    input  wire [5:0] in_splat,  // Place of its splat's payload.
+    output wire out_valid, input wire out_ready,  // Copies with their slots.
+    output wire out_end,  // Closes the frame.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
+    output wire [7:0] out_tile,  // Tile index: row above column.
+    output wire [5:0] out_splat,  // Place of its splat's payload.
+    output wire [1:0] out_slot,  // Slot of the tile cache.
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
+    output wire pixel_end,  // Closes the frame.
+    output wire [7:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire retire_valid,  // The accumulator is done with a copy.
+    input  wire [1:0] retire_slot,  // Slot of the tile cache.
+    output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
+    output wire [1:0] change_slot,  // Slot of the tile cache.
+    output wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
+    output wire [63:0] change_held,  // A bit for each pixel that will be filled.
+    input  wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    input  wire frame_end,  // The accumulator is done with the frame.
+    input  wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    input  wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    input  wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire [7:0] read_tile,  // Tile index.
+    output wire [5:0] read_pixel,  // The first pixel of the tile.
+    output wire [3:0] read_count,  // How many there are, at least one.
+    output wire drain_enable,  // Read of a slot, until it is carried out.
+    output wire [1:0] drain_slot,  // Slot of the tile cache.
+    output wire [5:0] drain_pixel,  // Pixel of the tile.
+    input  wire drained_valid,  // A pixel that was read.
+    input  wire [5:0] drained_pixel,  // Pixel of the tile.
+    input  wire [27:0] drained_weight,  // Sum of weights.
+    input  wire [51:0] drained_depth,  // Sum of weighted depths.
+    input  wire [15:0] drained_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drained_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire [7:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire fill_valid,  // Write to a slot, until it is carried out.
+    output wire [1:0] fill_slot,  // Slot of the tile cache.
+    output reg  [5:0] fill_pixel,  // Pixel of the tile.
+    output reg  [27:0] fill_weight,  // Sum of weights.
+    output reg  [51:0] fill_depth,  // Sum of weighted depths.
+    output reg  [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_2  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+);
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
+    reg [7:0] head_tile;  // Tile index: row above column.
+    reg [5:0] head_splat;  // Place of its splat's payload.
+    reg [1:0] mode;
+    reg frame_ended;
+    reg [7:0] place;
+    reg walking, place_read;
+    reg [7:0] read_place;
+    reg place_seen;
+    reg [7:0] seen_place;
+    reg [63:0] mask;
+    reg looking;
+    reg [1:0] unchanged;
+    reg changed, moving;
+    reg [1:0] slot;
+    reg comes;
+    reg [7:0] tile;
+    reg goes;
+    reg [7:0] goes_tile;
+    reg [63:0] wanted_rest;
+    reg [2:0] wanted_row;
+    reg [7:0] wanted_left, wanted_tile;
+    reg [5:0] awaited;
+    reg [2:0] came;
+    reg filling;
+    reg [1:0] taken_banks;
+    reg [63:0] leaving_rest;
+    reg [2:0] leaving_row;
+    reg [7:0] leaving_left;
+    reg [3:0] owed;
+    reg [1:0] next;
+    reg [7:0] tile_0;
+    reg resident_0, ready_0;
+    reg [7:0] in_flight_0;
+    reg used_0, is_of_copy_0;
+    reg [7:0] tile_1;
+    reg resident_1, ready_1;
+    reg [7:0] in_flight_1;
+    reg used_1, is_of_copy_1;
+    reg [7:0] tile_2;
+    reg resident_2, ready_2;
+    reg [7:0] in_flight_2;
+    reg used_2, is_of_copy_2;
+    reg [7:0] tile_3;
+    reg resident_3, ready_3;
+    reg [7:0] in_flight_3;
+    reg used_3, is_of_copy_3;
+    wire [63:0] stored_mask;
+
+    wire in_queue_out_valid;
+    wire [42:0] in_queue_out_data;
+    wire out_queue_in_ready;
+    wire [44:0] out_queue_out_data;
+    wire pixel_queue_in_ready;
+    wire [142:0] pixel_queue_out_data;
+    wire read_queue_in_ready;
+    wire [17:0] read_queue_out_data;
+    wire asked_runs_in_ready, asked_runs_out_valid;
+    wire [17:0] asked_runs_out_data;
+    wire write_queue_in_ready;
+    wire [141:0] write_queue_out_data;
+
+    wire [63:0] mask_that_comes = {64{comes}} & mask;
+    wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
+    wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
+    wire leaving_place_either = leaving_left[0] | leaving_left[1];
+    wire leaving_place_both_2 = leaving_left[2] & ~leaving_place_either;
+    wire [2:0] leaving_place_either_2 = ({3{leaving_place_both}} & 3'd1) | ({3{leaving_place_both_2}} & 3'd2);
+    wire leaving_place_either_3 = leaving_place_either | leaving_left[2];
+    wire leaving_place_both_3 = leaving_left[3] & ~leaving_place_either_3;
+    wire leaving_place_either_4 = leaving_place_either_3 | leaving_left[3];
+    wire leaving_place_both_4 = leaving_left[4] & ~leaving_place_either_4;
+    wire [2:0] leaving_place_either_5 = leaving_place_either_2 | ({3{leaving_place_both_3}} & 3'd3) | ({3{leaving_place_both_4}} & 3'd4);
+    wire leaving_place_either_6 = leaving_place_either_4 | leaving_left[4];
+    wire leaving_place_both_5 = leaving_left[5] & ~leaving_place_either_6;
+    wire leaving_place_either_7 = leaving_place_either_6 | leaving_left[5];
+    wire leaving_place_both_6 = leaving_left[6] & ~leaving_place_either_7;
+    wire [2:0] leaving_place_either_8 = leaving_place_either_5 | ({3{leaving_place_both_5}} & 3'd5) | ({3{leaving_place_both_6}} & 3'd6);
+    wire leaving_place_both_7 = leaving_left[7] & ~(leaving_place_either_7 | leaving_left[6]);
+    wire [2:0] leaving_place = leaving_place_either_8 | {3{leaving_place_both_7}};
+    wire mode_is_3 = mode == 2'd3;
+    wire leaving_is_empty = (leaving_rest == 64'd0) & (leaving_left == 8'd0);
+    wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
+    wire may_fill_either = leaving_is_empty | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
+    wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
+    wire fills = filling & ~fills_shifted[0];
+    wire may_fill = moving & may_fill_either & (~filling | fills);
+    wire takes_data = asked_runs_out_valid & (mode_is_3 ? pixel_queue_in_ready : may_fill);
+    wire mask_is_kept = changed & goes;
+    wire mode_is_0 = mode == 2'd0;
+    wire has_pixels = place_seen & |mask;
+    wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
+    wire advance = mode_is_3 & (~has_pixels | wanted_is_empty);
+    wire head_waits = (mode == 2'd1) & head_valid;
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
+    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
+    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
+    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
+    wire [3:0] copy_hit_bits = {
+        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
+        resident_3_and_is_of_copy_3
+    };
+    wire copy_hit = |copy_hit_bits;
+    wire waits_inverted = ~(looking | |unchanged | (changed | moving));
+    wire next_is_0 = next == 2'd0;
+    wire next_is_1 = next == 2'd1;
+    wire vacate_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
+    wire next_is_2 = next == 2'd2;
+    wire next_is_3 = next == 2'd3;
+    wire vacate_either_2 = vacate_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either_2));
+    wire head_takes = ~head_valid;
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
+    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_2));
+    wire send_end = head_waits & (head_end & out_queue_in_ready);
+    wire send_or_send_end = send | send_end;
+    wire [1:0] copy_slot_either = ({2{resident_1_and_is_of_copy_1}} & 2'd1) | ({2{resident_2_and_is_of_copy_2}} & 2'd2);
+    wire [1:0] copy_slot = copy_slot_either | {2{resident_3_and_is_of_copy_3}};
+    wire close_both = wanted_is_empty & (awaited == 6'd0);
+    wire close = mode_is_3 & ~(walking | place_read | place_seen) & (close_both & pixel_queue_in_ready);
+    wire beat = takes_data & data_valid;
+    wire visible = mode_is_3 & beat & |data_weight;
+    wire [7:0] asked_runs_out_tile = asked_runs_out_data[17:10];
+    wire [5:0] coming_pixel = asked_runs_out_pixel + {3'd0, came};
+    wire asks = |wanted_left & (read_queue_in_ready & asked_runs_in_ready);
+    wire wanted_place_both = wanted_left[1] & ~wanted_left[0];
+    wire wanted_left_0_or_wanted_left_1 = wanted_left[0] | wanted_left[1];
+    wire wanted_place_both_2 = wanted_left[2] & ~wanted_left_0_or_wanted_left_1;
+    wire [2:0] wanted_place_either = ({3{wanted_place_both}} & 3'd1) | ({3{wanted_place_both_2}} & 3'd2);
+    wire wanted_place_either_2 = wanted_left_0_or_wanted_left_1 | wanted_left[2];
+    wire wanted_place_both_3 = wanted_left[3] & ~wanted_place_either_2;
+    wire wanted_place_either_3 = wanted_place_either_2 | wanted_left[3];
+    wire wanted_place_both_4 = wanted_left[4] & ~wanted_place_either_3;
+    wire [2:0] wanted_place_either_4 = wanted_place_either | ({3{wanted_place_both_3}} & 3'd3) | ({3{wanted_place_both_4}} & 3'd4);
+    wire wanted_place_either_5 = wanted_place_either_3 | wanted_left[4];
+    wire wanted_place_both_5 = wanted_left[5] & ~wanted_place_either_5;
+    wire wanted_place_either_6 = wanted_place_either_5 | wanted_left[5];
+    wire wanted_place_both_6 = wanted_left[6] & ~wanted_place_either_6;
+    wire [2:0] wanted_place_either_7 = wanted_place_either_4 | ({3{wanted_place_both_5}} & 3'd5) | ({3{wanted_place_both_6}} & 3'd6);
+    wire wanted_place_both_7 = wanted_left[7] & ~(wanted_place_either_6 | wanted_left[6]);
+    wire [2:0] wanted_place = wanted_place_either_7 | {3{wanted_place_both_7}};
+    wire wanted_count_both = wanted_left[1] & (wanted_place_both | wanted_left[0]);
+    wire wanted_count_both_2 = wanted_left[2] & (wanted_place_both_2 | wanted_count_both);
+    wire [3:0] wanted_count_either = ({4{wanted_left[0] & ~wanted_count_both}} & 4'd1) | ({4{wanted_count_both & ~wanted_count_both_2}} & 4'd2);
+    wire wanted_count_both_3 = wanted_left[3] & (wanted_place_both_3 | wanted_count_both_2);
+    wire [3:0] wanted_count_either_2 = wanted_count_either | ({4{wanted_count_both_2 & ~wanted_count_both_3}} & 4'd3);
+    wire wanted_count_both_4 = wanted_left[4] & (wanted_place_both_4 | wanted_count_both_3);
+    wire [3:0] wanted_count_either_3 = wanted_count_either_2 | ({4{wanted_count_both_3 & ~wanted_count_both_4}} & 4'd4);
+    wire wanted_count_both_5 = wanted_left[5] & (wanted_place_both_5 | wanted_count_both_4);
+    wire [3:0] wanted_count_either_4 = wanted_count_either_3 | ({4{wanted_count_both_4 & ~wanted_count_both_5}} & 4'd5);
+    wire wanted_count_both_6 = wanted_left[6] & (wanted_place_both_6 | wanted_count_both_5);
+    wire [3:0] wanted_count_either_5 = wanted_count_either_4 | ({4{wanted_count_both_5 & ~wanted_count_both_6}} & 4'd6);
+    wire wanted_count_both_7 = wanted_left[7] & (wanted_place_both_7 | wanted_count_both_6);
+    wire [3:0] wanted_count_either_6 = wanted_count_either_5 | ({4{wanted_count_both_6 & ~wanted_count_both_7}} & 4'd7);
+    wire [3:0] wanted_count = (wanted_count_either_6 | ({4{wanted_count_both_7}} & 4'd8)) - {1'd0, wanted_place};
+    wire [17:0] read_queue_in_data_bits = {wanted_tile, wanted_row, wanted_place, wanted_count};
+    wire [3:0] came_now = {1'd0, came} + 4'd1;
+    wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
+    wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire in_queue_out_end = in_queue_out_data[42];
+    wire [2:0] in_queue_out_left = in_queue_out_data[41:39];
+    wire [2:0] in_queue_out_right = in_queue_out_data[38:36];
+    wire [2:0] in_queue_out_top = in_queue_out_data[35:33];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[32:30];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[29:26];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[25:22];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[21:18];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[17:14];
+    wire [7:0] in_queue_out_tile = in_queue_out_data[13:6];
+    wire [5:0] in_queue_out_splat = in_queue_out_data[5:0];
+    wire last_place = &place;
+    wire waits = (mode == 2'd2) & waits_inverted;
+    wire any_resident = |{resident_0, resident_1, resident_2, resident_3};
+    wire finish = waits & (frame_ended & ~any_resident);
+    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire goes_either_2 = goes_either | (next_is_3 & resident_3);
+    wire vacate = waits & (goes_either_2 & vacate_either_2);
+    wire job_starts = start | vacate;
+    wire [1:0] still_unchanged = unchanged & sample_reads;
+    wire change = |unchanged & (still_unchanged == 2'd0);
+    wire done = moving & (leaving_is_empty & (owed == 4'd0) & (close_both & ~filling));
+    wire [7:0] goes_tile_either = ({8{next_is_0}} & tile_0) | ({8{next_is_1}} & tile_1) | ({8{next_is_2}} & tile_2);
+    wire sends = advance & has_pixels;
+    wire begins = sends | (change & comes);
+    wire [7:0] wanted_run = {
+        wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
+        wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
+    };
+    wire [7:0] wanted_row_ends_both = wanted_left & ~({8{asks}} & wanted_run);
+    wire wanted_row_ends = wanted_row_ends_both == 8'd0;
+    wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
+    wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
+    wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
+    wire wanted_row_either_4 = wanted_row_either_3 | |wanted_rest[39:32];
+    wire wanted_row_either_5 = wanted_row_either_4 | |wanted_rest[47:40];
+    wire wanted_row_both = |wanted_rest[63:56] & ~(wanted_row_either_5 | |wanted_rest[55:48]);
+    wire [7:0] wanted_rest_bits = {8{wanted_row_both}};
+    wire wanted_row_both_2 = |wanted_rest[55:48] & ~wanted_row_either_5;
+    wire [7:0] wanted_rest_bits_2 = {8{wanted_row_both_2}};
+    wire wanted_row_both_3 = |wanted_rest[47:40] & ~wanted_row_either_4;
+    wire [7:0] wanted_rest_bits_3 = {8{wanted_row_both_3}};
+    wire wanted_row_both_4 = |wanted_rest[39:32] & ~wanted_row_either_3;
+    wire [7:0] wanted_rest_bits_4 = {8{wanted_row_both_4}};
+    wire wanted_row_both_5 = |wanted_rest[31:24] & ~wanted_row_either_2;
+    wire [7:0] wanted_rest_bits_5 = {8{wanted_row_both_5}};
+    wire wanted_row_both_6 = |wanted_rest[23:16] & ~wanted_row_either;
+    wire [7:0] wanted_rest_bits_6 = {8{wanted_row_both_6}};
+    wire wanted_row_both_7 = |wanted_rest[15:8] & ~(|wanted_rest[7:0]);
+    wire [7:0] wanted_rest_bits_7 = {8{wanted_row_both_7}};
+    wire [7:0] wanted_rest_bits_8 = {8{|wanted_rest[7:0]}};
+    wire [63:0] wanted_rest_bits_9 = {
+        wanted_rest_bits, wanted_rest_bits_2, wanted_rest_bits_3, wanted_rest_bits_4, wanted_rest_bits_5,
+        wanted_rest_bits_6, wanted_rest_bits_7, wanted_rest_bits_8
+    };
+    wire [2:0] wanted_row_either_6 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
+    wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
+    wire [2:0] wanted_row_either_8 = wanted_row_either_7 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
+    wire [7:0] wanted_left_either = (wanted_rest_bits_8 & wanted_rest[7:0]) | (wanted_rest_bits_7 & wanted_rest[15:8]);
+    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_rest_bits_6 & wanted_rest[23:16]) | (wanted_rest_bits_5 & wanted_rest[31:24]);
+    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_rest_bits_4 & wanted_rest[39:32]) | (wanted_rest_bits_3 & wanted_rest[47:40]);
+    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_rest_bits_2 & wanted_rest[55:48]) | (wanted_rest_bits & wanted_rest[63:56]);
+    wire beat_and_not_mode_is_3 = beat & ~mode_is_3;
+    wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
+    wire drains = offers_drain & ~drains_shifted[0];
+    wire [7:0] leaving_row_ends_bits = {
+        leaving_place_both_7, leaving_place_both_6, leaving_place_both_5, leaving_place_both_4,
+        leaving_place_both_3, leaving_place_both_2, leaving_place_both, leaving_left[0]
+    };
+    wire [7:0] leaving_row_ends_both = leaving_left & ~({8{drains}} & leaving_row_ends_bits);
+    wire leaving_row_ends = leaving_row_ends_both == 8'd0;
+    wire leaving_row_either = |leaving_rest[7:0] | |leaving_rest[15:8];
+    wire leaving_row_either_2 = leaving_row_either | |leaving_rest[23:16];
+    wire leaving_row_either_3 = leaving_row_either_2 | |leaving_rest[31:24];
+    wire leaving_row_either_4 = leaving_row_either_3 | |leaving_rest[39:32];
+    wire leaving_row_either_5 = leaving_row_either_4 | |leaving_rest[47:40];
+    wire leaving_row_both = |leaving_rest[63:56] & ~(leaving_row_either_5 | |leaving_rest[55:48]);
+    wire [7:0] leaving_rest_bits = {8{leaving_row_both}};
+    wire leaving_row_both_2 = |leaving_rest[55:48] & ~leaving_row_either_5;
+    wire [7:0] leaving_rest_bits_2 = {8{leaving_row_both_2}};
+    wire leaving_row_both_3 = |leaving_rest[47:40] & ~leaving_row_either_4;
+    wire [7:0] leaving_rest_bits_3 = {8{leaving_row_both_3}};
+    wire leaving_row_both_4 = |leaving_rest[39:32] & ~leaving_row_either_3;
+    wire [7:0] leaving_rest_bits_4 = {8{leaving_row_both_4}};
+    wire leaving_row_both_5 = |leaving_rest[31:24] & ~leaving_row_either_2;
+    wire [7:0] leaving_rest_bits_5 = {8{leaving_row_both_5}};
+    wire leaving_row_both_6 = |leaving_rest[23:16] & ~leaving_row_either;
+    wire [7:0] leaving_rest_bits_6 = {8{leaving_row_both_6}};
+    wire leaving_row_both_7 = |leaving_rest[15:8] & ~(|leaving_rest[7:0]);
+    wire [7:0] leaving_rest_bits_7 = {8{leaving_row_both_7}};
+    wire [7:0] leaving_rest_bits_8 = {8{|leaving_rest[7:0]}};
+    wire [63:0] leaving_rest_bits_9 = {
+        leaving_rest_bits, leaving_rest_bits_2, leaving_rest_bits_3, leaving_rest_bits_4, leaving_rest_bits_5,
+        leaving_rest_bits_6, leaving_rest_bits_7, leaving_rest_bits_8
+    };
+    wire [2:0] leaving_row_either_6 = ({3{leaving_row_both_7}} & 3'd1) | ({3{leaving_row_both_6}} & 3'd2);
+    wire [2:0] leaving_row_either_7 = leaving_row_either_6 | ({3{leaving_row_both_5}} & 3'd3) | ({3{leaving_row_both_4}} & 3'd4);
+    wire [2:0] leaving_row_either_8 = leaving_row_either_7 | ({3{leaving_row_both_3}} & 3'd5) | ({3{leaving_row_both_2}} & 3'd6);
+    wire [7:0] leaving_left_either = (leaving_rest_bits_8 & leaving_rest[7:0]) | (leaving_rest_bits_7 & leaving_rest[15:8]);
+    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_rest_bits_6 & leaving_rest[23:16]);
+    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_rest_bits_5 & leaving_rest[31:24]);
+    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_rest_bits_4 & leaving_rest[39:32]);
+    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_rest_bits_3 & leaving_rest[47:40]);
+    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_rest_bits_2 & leaving_rest[55:48]);
+    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_rest_bits & leaving_rest[63:56]);
+    wire pixel_leaves = write_valid & write_ready;
+    wire starts = job_starts;
+    wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
+    wire skips = skips_either | (next_is_3 & used_3);
+    wire start_and_next_is_0 = start & next_is_0;
+    wire starts_and_next_is_0 = starts & next_is_0;
+    wire done_and_comes = done & comes;
+    wire ready_0_both = done_and_comes & (slot == 2'd0);
+    wire in_flight_0_both = send & (copy_slot == 2'd0);
+    wire in_flight_0_enable_both = retire_valid & (retire_slot == 2'd0);
+    wire start_and_next_is_1 = start & next_is_1;
+    wire starts_and_next_is_1 = starts & next_is_1;
+    wire ready_1_both = done_and_comes & (slot == 2'd1);
+    wire in_flight_1_both = send & (copy_slot == 2'd1);
+    wire in_flight_1_enable_both = retire_valid & (retire_slot == 2'd1);
+    wire start_and_next_is_2 = start & next_is_2;
+    wire starts_and_next_is_2 = starts & next_is_2;
+    wire ready_2_both = done_and_comes & (slot == 2'd2);
+    wire in_flight_2_both = send & (copy_slot == 2'd2);
+    wire in_flight_2_enable_both = retire_valid & (retire_slot == 2'd2);
+    wire start_and_next_is_3 = start & next_is_3;
+    wire starts_and_next_is_3 = starts & next_is_3;
+    wire ready_3_both = done_and_comes & (slot == 2'd3);
+    wire in_flight_3_both = send & (copy_slot == 2'd3);
+    wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
+
+    assign {
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat, out_slot
+    } = out_queue_out_data;
+    assign {
+        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_attribute_0, pixel_attribute_1,
+        pixel_attribute_2
+    } = pixel_queue_out_data;
+    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
+    assign change_valid = |unchanged;
+    assign change_slot = slot;
+    assign change_banks = unchanged;
+    assign change_held = mask_that_comes;
+    assign {read_tile, read_pixel, read_count} = read_queue_out_data;
+    assign drain_enable = offers_drain;
+    assign drain_slot = slot;
+    assign drain_pixel = {leaving_row, leaving_place};
+    assign {
+        write_tile, write_pixel, write_weight, write_depth, write_attribute_0, write_attribute_1,
+        write_attribute_2
+    } = write_queue_out_data;
+    assign data_ready = takes_data;
+    assign fill_valid = filling;
+    assign fill_slot = slot;
+
+    memory_1w1r_unordered #(.WIDTH(64), .DEPTH(256)) stored_masks (
+        .clk(clk), .write(mask_is_kept | (mode_is_0 | (advance & place_seen))),
+        .write_address(mask_is_kept ? goes_tile : mode_is_0 ? place : seen_place),
+        .write_data({64{mask_is_kept}} & masks_written),
+        .read(start | advance), .read_address(mode_is_3 ? place : head_tile), .read_data(stored_mask)
+    );
+
+    stream_half_buffer_w43 in_queue (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+        .in_data({
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
+    );
+
+    stream_fifo_d16_w45_distributed out_queue (
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
+        .in_data({
+            head_end, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, head_splat, copy_slot
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+    );
+
+    stream_skid_w143 pixel_queue (
+        .clk(clk), .rst(rst), .in_valid(close | visible), .in_ready(pixel_queue_in_ready),
+        .in_data({
+            close, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_attribute_0, data_attribute_1,
+            data_attribute_2
+        }),
+        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+    );
+
+    stream_skid_w18 read_queue (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(read_queue_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(read_valid), .out_ready(read_ready), .out_data(read_queue_out_data)
+    );
+
+    stream_fifo_d32_w18_distributed asked_runs (
+        .clk(clk), .rst(rst), .in_valid(asks), .in_ready(asked_runs_in_ready),
+        .in_data(read_queue_in_data_bits),
+        .out_valid(asked_runs_out_valid), .out_ready(run_ends), .out_data(asked_runs_out_data)
+    );
+
+    stream_fifo_d8_w142_distributed write_queue (
+        .clk(clk), .rst(rst), .in_valid(drained_valid), .in_ready(write_queue_in_ready),
+        .in_data({
+            goes_tile, drained_pixel, drained_weight, drained_depth, drained_attribute_0, drained_attribute_1,
+            drained_attribute_2
+        }),
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            head_valid <= 1'd0;
+            mode <= 2'd0;
+            frame_ended <= 1'd0;
+            place <= 8'd0;
+            walking <= 1'd0;
+            place_read <= 1'd0;
+            place_seen <= 1'd0;
+            looking <= 1'd0;
+            unchanged <= 2'd0;
+            changed <= 1'd0;
+            moving <= 1'd0;
+            wanted_rest <= 64'd0;
+            wanted_left <= 8'd0;
+            awaited <= 6'd0;
+            came <= 3'd0;
+            filling <= 1'd0;
+            taken_banks <= 2'd0;
+            leaving_rest <= 64'd0;
+            leaving_left <= 8'd0;
+            owed <= 4'd0;
+            next <= 2'd0;
+            resident_0 <= 1'd0;
+            ready_0 <= 1'd0;
+            in_flight_0 <= 8'd0;
+            used_0 <= 1'd0;
+            resident_1 <= 1'd0;
+            ready_1 <= 1'd0;
+            in_flight_1 <= 8'd0;
+            used_1 <= 1'd0;
+            resident_2 <= 1'd0;
+            ready_2 <= 1'd0;
+            in_flight_2 <= 8'd0;
+            used_2 <= 1'd0;
+            resident_3 <= 1'd0;
+            ready_3 <= 1'd0;
+            in_flight_3 <= 8'd0;
+            used_3 <= 1'd0;
+        end else begin
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_place) | close) ? 2'd1 : send_end ? 2'd2 : finish ? 2'd3 : mode;
+            looking <= job_starts;
+            unchanged <= still_unchanged | {2{looking}};
+            changed <= change;
+            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_row_ends_both;
+            awaited <= (awaited + {5'd0, asks}) - {5'd0, run_ends};
+            filling <= beat_and_not_mode_is_3 | (filling & ~fills);
+            taken_banks <= sample_writes;
+            leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
+            owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
+            used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
+            used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
+            used_2 <= in_flight_2_both | (used_2 & ~next_is_2);
+            used_3 <= in_flight_3_both | (used_3 & ~next_is_3);
+            if (frame_end | finish) frame_ended <= frame_end;
+            if (mode_is_0 | (advance & walking)) place <= place + 8'd1;
+            if (finish | advance) walking <= finish | (walking & ~last_place);
+            if (advance) begin
+                place_read <= walking;
+                place_seen <= place_read;
+            end
+            if (changed | done) moving <= changed;
+            if (begins | wanted_row_ends) begin
+                wanted_rest <= begins ? mask : (wanted_rest & ~wanted_rest_bits_9);
+            end
+            if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
+            if (mask_is_kept | leaving_row_ends) begin
+                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
+            end
+            if (starts | skips | (waits & ~finish)) next <= next_is_3 ? 2'd0 : (next + 2'd1);
+            if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
+            if (ready_0_both | starts_and_next_is_0) ready_0 <= ready_0_both;
+            if (in_flight_0_both ^ in_flight_0_enable_both) begin
+                in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            end
+            if (starts_and_next_is_1) resident_1 <= start_and_next_is_1;
+            if (ready_1_both | starts_and_next_is_1) ready_1 <= ready_1_both;
+            if (in_flight_1_both ^ in_flight_1_enable_both) begin
+                in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            end
+            if (starts_and_next_is_2) resident_2 <= start_and_next_is_2;
+            if (ready_2_both | starts_and_next_is_2) ready_2 <= ready_2_both;
+            if (in_flight_2_both ^ in_flight_2_enable_both) begin
+                in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
+            end
+            if (starts_and_next_is_3) resident_3 <= start_and_next_is_3;
+            if (ready_3_both | starts_and_next_is_3) ready_3 <= ready_3_both;
+            if (in_flight_3_both ^ in_flight_3_enable_both) begin
+                in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (head_takes) begin
+            head_end <= in_queue_out_end;
+            head_left <= in_queue_out_left;
+            head_right <= in_queue_out_right;
+            head_top <= in_queue_out_top;
+            head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
+            head_tile <= in_queue_out_tile;
+            head_splat <= in_queue_out_splat;
+        end
+        if (advance) begin
+            read_place <= place;
+            seen_place <= read_place;
+        end
+        if (looking | advance) mask <= stored_mask;
+        if (job_starts) begin
+            slot <= next;
+            comes <= start;
+            tile <= head_tile;
+            goes <= goes_either_2;
+            goes_tile <= goes_tile_either | ({8{next_is_3}} & tile_3);
+        end
+        if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
+        if (begins) wanted_tile <= sends ? seen_place : tile;
+        if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
+        if (start_and_next_is_0) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
+        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
+        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
+        if (start_and_next_is_1) tile_1 <= head_tile;
+        if (start_and_next_is_2) tile_2 <= head_tile;
+        if (start_and_next_is_3) tile_3 <= head_tile;
+        if (beat_and_not_mode_is_3) begin
+            fill_pixel <= coming_pixel;
+            fill_weight <= data_weight;
+            fill_depth <= data_depth;
+            fill_attribute_0 <= data_attribute_0;
+            fill_attribute_1 <= data_attribute_1;
+            fill_attribute_2 <= data_attribute_2;
+        end
+    end
+
+    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], write_queue_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
+        slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
+        slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
+`else
+        if (!(~drained_valid | write_queue_in_ready)) begin
+            $display("assertion failed: drained_pixels_find_room in %m"); $stop;
+        end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_1_enable_both | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_2_enable_both | |in_flight_2)) begin
+            $display("assertion failed: slot_2_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_3_enable_both | |in_flight_3)) begin
+            $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 8
+// width = 142
+// storage = distributed
+module stream_fifo_d8_w142_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [141:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [141:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [141:0] entries [0:7];
+    reg [3:0] held, waiting;
+    reg [2:0] write_address, read_address;
+    reg [141:0] item;
+
+    wire has_room = ~held[3];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 3'd0;
+            read_address <= 3'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 3'd1;
+            if (fetch) read_address <= read_address + 3'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd8);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 32
+// width = 18
+// storage = distributed
+module stream_fifo_d32_w18_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [17:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [17:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [17:0] entries [0:31];
+    reg [5:0] held, waiting;
+    reg [4:0] write_address, read_address;
+    reg [17:0] item;
+
+    wire has_room = ~held[5];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 6'd0;
+            waiting <= 6'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {5'd0, push}) - {5'd0, pop};
+            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 5'd1;
+            if (fetch) read_address <= read_address + 5'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 6'd32);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+`else
+        if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 18
+module stream_skid_w18 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [17:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [17:0] out_data
 );
     reg second_valid;
-    reg [26:0] head, second;
+    reg [17:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -3108,529 +4319,6 @@ module stream_skid_w27 (
 `else
         if (!(out_valid | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 4
-module splat_tile_cache (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
-    input  wire in_end,  // Closes the frame.
-    input  wire [27:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [27:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [17:0] in_ax,  // `A` in x.
-    input  wire [17:0] in_bx,  // `B` in x.
-    input  wire [17:0] in_ay,  // `A` in y.
-    input  wire [17:0] in_by,  // `B` in y.
-    input  wire [21:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [17:0] in_mx,  // `m` in x.
-    input  wire [17:0] in_my,  // `m` in y.
-    input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
-    input  wire [2:0] in_left,  // First column.
-    input  wire [2:0] in_right,  // Last column.
-    input  wire [2:0] in_top,  // First row.
-    input  wire [2:0] in_bottom,  // Last row.
-    input  wire [3:0] in_first_sum,  // Smallest sum.
-    input  wire [3:0] in_last_sum,  // Largest sum.
-    input  wire [3:0] in_first_difference,  // Smallest difference.
-    input  wire [3:0] in_last_difference,  // Largest difference.
-    input  wire [7:0] in_tile,  // Tile index: row above column.
-    output wire out_valid, input wire out_ready,  // Copies with their slots.
-    output wire out_end,  // Closes the frame.
-    output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [27:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [17:0] out_ax,  // `A` in x.
-    output wire [17:0] out_bx,  // `B` in x.
-    output wire [17:0] out_ay,  // `A` in y.
-    output wire [17:0] out_by,  // `B` in y.
-    output wire [21:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [17:0] out_mx,  // `m` in x.
-    output wire [17:0] out_my,  // `m` in y.
-    output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
-    output wire [2:0] out_left,  // First column.
-    output wire [2:0] out_right,  // Last column.
-    output wire [2:0] out_top,  // First row.
-    output wire [2:0] out_bottom,  // Last row.
-    output wire [3:0] out_first_sum,  // Smallest sum.
-    output wire [3:0] out_last_sum,  // Largest sum.
-    output wire [3:0] out_first_difference,  // Smallest difference.
-    output wire [3:0] out_last_difference,  // Largest difference.
-    output wire [7:0] out_tile,  // Tile index: row above column.
-    output wire [1:0] out_slot,  // Slot of the tile cache.
-    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
-    output reg  [7:0] read_tile,  // Tile index.
-    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
-    input  wire [27:0] data_weight,  // Sum of weights.
-    input  wire [51:0] data_depth,  // Sum of weighted depths.
-    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
-    output wire [7:0] write_tile,  // Tile index.
-    output wire [5:0] write_pixel,  // Pixel of the tile.
-    output wire [27:0] write_weight,  // Sum of weights.
-    output wire [51:0] write_depth,  // Sum of weighted depths.
-    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
-    output wire pixel_end,  // Closes the frame.
-    output wire [7:0] pixel_tile,  // Tile index.
-    output wire [5:0] pixel_pixel,  // Pixel of the tile.
-    output wire [27:0] pixel_weight,  // Sum of weights.
-    output wire [51:0] pixel_depth,  // Sum of weighted depths.
-    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
-    input  wire retire_valid,  // The accumulator is done with a copy.
-    input  wire [1:0] retire_slot,  // Slot of the tile cache.
-    input  wire frame_end,  // The accumulator is done with the frame.
-    output reg  fill_valid,  // Write to a slot.
-    output wire [1:0] fill_slot,  // Slot of the tile cache.
-    output reg  [5:0] fill_pixel,  // Pixel of the tile.
-    output reg  [27:0] fill_weight,  // Sum of weights.
-    output reg  [51:0] fill_depth,  // Sum of weighted depths.
-    output reg  [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire drain_enable,  // Read of a slot.
-    output wire [1:0] drain_slot,  // Slot of the tile cache.
-    output wire [5:0] drain_pixel,  // Pixel of the tile.
-    input  wire [27:0] drain_weight,  // Sum of weights.
-    input  wire [51:0] drain_depth,  // Sum of weighted depths.
-    input  wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drain_attribute_2  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-);
-    reg head_valid;
-    reg head_end;  // Closes the frame.
-    reg [27:0] head_center_x;  // Projected center (px), the origin of what follows.
-    reg [27:0] head_center_y;  // Projected center (px), the origin of what follows.
-    reg [17:0] head_ax;  // `A` in x.
-    reg [17:0] head_bx;  // `B` in x.
-    reg [17:0] head_ay;  // `A` in y.
-    reg [17:0] head_by;  // `B` in y.
-    reg [21:0] head_delta;  // The determinant of `A` and `B`.
-    reg [17:0] head_mx;  // `m` in x.
-    reg [17:0] head_my;  // `m` in y.
-    reg [3:0] head_shift;  // In fixed point, places by which offsets from the centre are shifted.
-    reg [23:0] head_depth;  // Depth.
-    reg [23:0] head_depth_low;  // What is nearer hides the splat.
-    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
-    reg [15:0] head_attribute_0;  // Attributes.
-    reg [15:0] head_attribute_1;  // Attributes.
-    reg [15:0] head_attribute_2;  // Attributes.
-    reg [2:0] head_left;  // First column.
-    reg [2:0] head_right;  // Last column.
-    reg [2:0] head_top;  // First row.
-    reg [2:0] head_bottom;  // Last row.
-    reg [3:0] head_first_sum;  // Smallest sum.
-    reg [3:0] head_last_sum;  // Largest sum.
-    reg [3:0] head_first_difference;  // Smallest difference.
-    reg [3:0] head_last_difference;  // Largest difference.
-    reg [7:0] head_tile;  // Tile index: row above column.
-    reg [2:0] mode;
-    reg frame_ended;
-    reg [7:0] code;
-    reg code_read, looking, looked, moving;
-    reg [1:0] slot;
-    reg evict;
-    reg [7:0] evict_tile;
-    reg load;
-    reg [6:0] drained;
-    reg showing;
-    reg [5:0] shown_pixel;
-    reg holding;
-    reg [5:0] held_pixel;
-    reg [6:0] filled;
-    reg [1:0] next;
-    reg [7:0] tile_0;
-    reg resident_0, ready_0;
-    reg [7:0] in_flight_0;
-    reg used_0, is_of_copy_0, is_of_code_0;
-    reg [7:0] tile_1;
-    reg resident_1, ready_1;
-    reg [7:0] in_flight_1;
-    reg used_1, is_of_copy_1, is_of_code_1;
-    reg [7:0] tile_2;
-    reg resident_2, ready_2;
-    reg [7:0] in_flight_2;
-    reg used_2, is_of_copy_2, is_of_code_2;
-    reg [7:0] tile_3;
-    reg resident_3, ready_3;
-    reg [7:0] in_flight_3;
-    reg used_3, is_of_copy_3, is_of_code_3;
-    wire stored_touched;
-    reg touched;
-
-    wire in_queue_out_valid;
-    wire [346:0] in_queue_out_data;
-    wire out_queue_in_ready;
-    wire [348:0] out_queue_out_data;
-    wire write_queue_in_ready;
-    wire [141:0] write_queue_out_data;
-    wire pixel_queue_in_ready;
-    wire [142:0] pixel_queue_out_data;
-
-    wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire mode_is_6 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
-    wire mode_is_5 = mode == 3'd5;
-    wire draining = mode_is_5 | (moving & evict);
-    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & drain_step_either;
-    wire mode_is_0 = mode == 3'd0;
-    wire mode_is_4 = mode == 3'd4;
-    wire mode_is_3 = mode == 3'd3;
-    wire head_takes = ~head_valid;
-    wire head_waits = (mode == 3'd1) & head_valid;
-    wire head_waits_and_not_head_end = head_waits & ~head_end;
-    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
-    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
-    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
-    wire [3:0] copy_hit_bits = {
-        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
-        resident_3_and_is_of_copy_3
-    };
-    wire copy_hit = |copy_hit_bits;
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
-    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_2));
-    wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire send_or_send_end = send | send_end;
-    wire [1:0] copy_slot_either = ({2{resident_1_and_is_of_copy_1}} & 2'd1) | ({2{resident_2_and_is_of_copy_2}} & 2'd2);
-    wire [1:0] copy_slot = copy_slot_either | {2{resident_3_and_is_of_copy_3}};
-    wire held_leaves = holding & drain_step;
-    wire close = (mode == 3'd7) & pixel_queue_in_ready;
-    wire beat = take_data & data_valid;
-    wire mode_is_6_and_beat = mode_is_6 & beat;
-    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
-    wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[346];
-    wire [27:0] in_queue_out_center_x = in_queue_out_data[345:318];
-    wire [27:0] in_queue_out_center_y = in_queue_out_data[317:290];
-    wire [17:0] in_queue_out_ax = in_queue_out_data[289:272];
-    wire [17:0] in_queue_out_bx = in_queue_out_data[271:254];
-    wire [17:0] in_queue_out_ay = in_queue_out_data[253:236];
-    wire [17:0] in_queue_out_by = in_queue_out_data[235:218];
-    wire [21:0] in_queue_out_delta = in_queue_out_data[217:196];
-    wire [17:0] in_queue_out_mx = in_queue_out_data[195:178];
-    wire [17:0] in_queue_out_my = in_queue_out_data[177:160];
-    wire [3:0] in_queue_out_shift = in_queue_out_data[159:156];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[155:132];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[131:108];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[107:84];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[83:68];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[67:52];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[51:36];
-    wire [2:0] in_queue_out_left = in_queue_out_data[35:33];
-    wire [2:0] in_queue_out_right = in_queue_out_data[32:30];
-    wire [2:0] in_queue_out_top = in_queue_out_data[29:27];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[26:24];
-    wire [3:0] in_queue_out_first_sum = in_queue_out_data[23:20];
-    wire [3:0] in_queue_out_last_sum = in_queue_out_data[19:16];
-    wire [3:0] in_queue_out_first_difference = in_queue_out_data[15:12];
-    wire [3:0] in_queue_out_last_difference = in_queue_out_data[11:8];
-    wire [7:0] in_queue_out_tile = in_queue_out_data[7:0];
-    wire last_code = &code;
-    wire finish_inverted = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
-    wire showing_or_holding = showing | holding;
-    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
-    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
-    wire resident_1_and_is_of_code_1 = resident_1 & is_of_code_1;
-    wire resident_2_and_is_of_code_2 = resident_2 & is_of_code_2;
-    wire resident_3_and_is_of_code_3 = resident_3 & is_of_code_3;
-    wire [3:0] sent_hit_bits = {
-        resident_0 & is_of_code_0, resident_1_and_is_of_code_1, resident_2_and_is_of_code_2,
-        resident_3_and_is_of_code_3
-    };
-    wire sent_hit = |sent_hit_bits;
-    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire next_is_0 = next == 2'd0;
-    wire next_is_1 = next == 2'd1;
-    wire start_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
-    wire next_is_2 = next == 2'd2;
-    wire next_is_3 = next == 2'd3;
-    wire start_either_2 = start_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_2));
-    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
-    wire done = moving & (filled[6] & done_both);
-    wire start_or_mode_is_4 = start | mode_is_4;
-    wire [1:0] sent_slot_either = ({2{resident_1_and_is_of_code_1}} & 2'd1) | ({2{resident_2_and_is_of_code_2}} & 2'd2);
-    wire [1:0] sent_slot = sent_slot_either | {2{resident_3_and_is_of_code_3}};
-    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
-    wire evict_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
-    wire [7:0] evict_tile_either = ({8{next_is_0}} & tile_0) | ({8{next_is_1}} & tile_1) | ({8{next_is_2}} & tile_2);
-    wire looked_or_mode_is_4 = looked | mode_is_4;
-    wire drain_next = drain_step & ~drained[6];
-    wire fill = may_fill & (~load | data_valid);
-    wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
-    wire skips = skips_either | (next_is_3 & used_3);
-    wire start_and_next_is_0 = start & next_is_0;
-    wire ready_0_both = done & (slot == 2'd0);
-    wire in_flight_0_both = send & (copy_slot == 2'd0);
-    wire in_flight_0_enable_both = retire_valid & (retire_slot == 2'd0);
-    wire start_and_next_is_1 = start & next_is_1;
-    wire ready_1_both = done & (slot == 2'd1);
-    wire in_flight_1_both = send & (copy_slot == 2'd1);
-    wire in_flight_1_enable_both = retire_valid & (retire_slot == 2'd1);
-    wire start_and_next_is_2 = start & next_is_2;
-    wire ready_2_both = done & (slot == 2'd2);
-    wire in_flight_2_both = send & (copy_slot == 2'd2);
-    wire in_flight_2_enable_both = retire_valid & (retire_slot == 2'd2);
-    wire start_and_next_is_3 = start & next_is_3;
-    wire ready_3_both = done & (slot == 2'd3);
-    wire in_flight_3_both = send & (copy_slot == 2'd3);
-    wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
-
-    assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
-        out_first_difference, out_last_difference, out_tile, out_slot
-    } = out_queue_out_data;
-    assign data_ready = take_data;
-    assign {
-        write_tile, write_pixel, write_weight, write_depth, write_attribute_0, write_attribute_1,
-        write_attribute_2
-    } = write_queue_out_data;
-    assign {
-        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_attribute_0, pixel_attribute_1,
-        pixel_attribute_2
-    } = pixel_queue_out_data;
-    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
-    assign fill_slot = slot;
-    assign drain_enable = drain_step;
-    assign drain_slot = slot;
-    assign drain_pixel = drained[5:0];
-
-    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(256)) touched_tiles (
-        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
-        .write_address(looked ? read_tile : code), .write_data(looked),
-        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
-    );
-
-    stream_half_buffer_w347 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
-        .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
-            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference,
-            in_tile
-        }),
-        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
-    );
-
-    stream_fifo_d16_w349_distributed out_queue (
-        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
-        .in_data({
-            head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
-            head_attribute_2, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
-            head_first_difference, head_last_difference, head_tile, copy_slot
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
-    );
-
-    stream_skid_w142 write_queue (
-        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
-        .in_data({
-            evict_tile, held_pixel, drain_weight, drain_depth, drain_attribute_0, drain_attribute_1,
-            drain_attribute_2
-        }),
-        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
-    );
-
-    stream_skid_w143 pixel_queue (
-        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
-        .in_ready(pixel_queue_in_ready),
-        .in_data({
-            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
-            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_attribute_0 : data_attribute_0,
-            mode_is_5 ? drain_attribute_1 : data_attribute_1, mode_is_5 ? drain_attribute_2 : data_attribute_2
-        }),
-        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            head_valid <= 1'd0;
-            mode <= 3'd0;
-            frame_ended <= 1'd0;
-            code <= 8'd0;
-            code_read <= 1'd0;
-            looking <= 1'd0;
-            looked <= 1'd0;
-            moving <= 1'd0;
-            read_valid <= 1'd0;
-            showing <= 1'd0;
-            holding <= 1'd0;
-            next <= 2'd0;
-            resident_0 <= 1'd0;
-            ready_0 <= 1'd0;
-            in_flight_0 <= 8'd0;
-            used_0 <= 1'd0;
-            resident_1 <= 1'd0;
-            ready_1 <= 1'd0;
-            in_flight_1 <= 8'd0;
-            used_1 <= 1'd0;
-            resident_2 <= 1'd0;
-            ready_2 <= 1'd0;
-            in_flight_2 <= 8'd0;
-            used_2 <= 1'd0;
-            resident_3 <= 1'd0;
-            ready_3 <= 1'd0;
-            in_flight_3 <= 8'd0;
-            used_3 <= 1'd0;
-            fill_valid <= 1'd0;
-        end else begin
-            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
-            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
-            code_read <= mode_is_3 & ~code_read;
-            looking <= start;
-            looked <= looking;
-            used_0 <= (in_flight_0_both | (used_0 & ~next_is_0)) & ~close;
-            used_1 <= (in_flight_1_both | (used_1 & ~next_is_1)) & ~close;
-            used_2 <= (in_flight_2_both | (used_2 & ~next_is_2)) & ~close;
-            used_3 <= (in_flight_3_both | (used_3 & ~next_is_3)) & ~close;
-            fill_valid <= fill;
-            if (frame_end | finish) frame_ended <= frame_end;
-            if (mode_is_0 | next_tile) code <= code + 8'd1;
-            if (looked | done) moving <= looked;
-            if (read_valid_both | read_ready) read_valid <= read_valid_both;
-            if (drain_step) begin
-                showing <= drain_next;
-                holding <= showing;
-            end
-            if (start | skips | close) next <= (next_is_3 | close) ? 2'd0 : (next + 2'd1);
-            if (start_and_next_is_0 | close) resident_0 <= start_and_next_is_0;
-            if (ready_0_both | start_and_next_is_0 | finish) ready_0 <= ready_0_both;
-            if (in_flight_0_both ^ in_flight_0_enable_both) begin
-                in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
-            end
-            if (start_and_next_is_1 | close) resident_1 <= start_and_next_is_1;
-            if (ready_1_both | start_and_next_is_1 | finish) ready_1 <= ready_1_both;
-            if (in_flight_1_both ^ in_flight_1_enable_both) begin
-                in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
-            end
-            if (start_and_next_is_2 | close) resident_2 <= start_and_next_is_2;
-            if (ready_2_both | start_and_next_is_2 | finish) ready_2 <= ready_2_both;
-            if (in_flight_2_both ^ in_flight_2_enable_both) begin
-                in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
-            end
-            if (start_and_next_is_3 | close) resident_3 <= start_and_next_is_3;
-            if (ready_3_both | start_and_next_is_3 | finish) ready_3 <= ready_3_both;
-            if (in_flight_3_both ^ in_flight_3_enable_both) begin
-                in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (head_takes) begin
-            head_end <= in_queue_out_end;
-            head_center_x <= in_queue_out_center_x;
-            head_center_y <= in_queue_out_center_y;
-            head_ax <= in_queue_out_ax;
-            head_bx <= in_queue_out_bx;
-            head_ay <= in_queue_out_ay;
-            head_by <= in_queue_out_by;
-            head_delta <= in_queue_out_delta;
-            head_mx <= in_queue_out_mx;
-            head_my <= in_queue_out_my;
-            head_shift <= in_queue_out_shift;
-            head_depth <= in_queue_out_depth;
-            head_depth_low <= in_queue_out_depth_low;
-            head_depth_high <= in_queue_out_depth_high;
-            head_attribute_0 <= in_queue_out_attribute_0;
-            head_attribute_1 <= in_queue_out_attribute_1;
-            head_attribute_2 <= in_queue_out_attribute_2;
-            head_left <= in_queue_out_left;
-            head_right <= in_queue_out_right;
-            head_top <= in_queue_out_top;
-            head_bottom <= in_queue_out_bottom;
-            head_first_sum <= in_queue_out_first_sum;
-            head_last_sum <= in_queue_out_last_sum;
-            head_first_difference <= in_queue_out_first_difference;
-            head_last_difference <= in_queue_out_last_difference;
-            head_tile <= in_queue_out_tile;
-        end
-        if (start_or_mode_is_4) begin
-            slot <= mode_is_4 ? sent_slot : next;
-            read_tile <= mode_is_4 ? code : head_tile;
-        end
-        if (start) begin
-            evict <= evict_either | (next_is_3 & resident_3);
-            evict_tile <= evict_tile_either | ({8{next_is_3}} & tile_3);
-        end
-        if (looked) load <= touched;
-        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
-            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
-        end
-        if (drain_next) shown_pixel <= drained[5:0];
-        if (drain_step) held_pixel <= shown_pixel;
-        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
-        if (start_and_next_is_0) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
-        is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
-        is_of_code_1 <= tile_1 == code;
-        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
-        is_of_code_2 <= tile_2 == code;
-        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
-        is_of_code_3 <= tile_3 == code;
-        touched <= stored_touched;
-        if (start_and_next_is_1) tile_1 <= head_tile;
-        if (start_and_next_is_2) tile_2 <= head_tile;
-        if (start_and_next_is_3) tile_3 <= head_tile;
-        if (fill) begin
-            fill_pixel <= filled[5:0];
-            fill_weight <= load ? data_weight : 28'd0;
-            fill_depth <= load ? data_depth : 52'd0;
-            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
-            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
-            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
-        slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
-        slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
-        slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
-`else
-        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
-            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
-        end
-        if (!(~in_flight_1_enable_both | |in_flight_1)) begin
-            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
-        end
-        if (!(~in_flight_2_enable_both | |in_flight_2)) begin
-            $display("assertion failed: slot_2_retires_what_entered in %m"); $stop;
-        end
-        if (!(~in_flight_3_enable_both | |in_flight_3)) begin
-            $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
         end
 `endif
     end
@@ -3680,63 +4368,20 @@ module stream_skid_w143 (
 `endif
 endmodule
 
-// Queue of two in registers.
-// width = 142
-module stream_skid_w142 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [141:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [141:0] out_data
-);
-    reg second_valid;
-    reg [141:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 349
+// width = 45
 // storage = distributed
-module stream_fifo_d16_w349_distributed (
+module stream_fifo_d16_w45_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [348:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [348:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [44:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [44:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [348:0] entries [0:15];
+    reg [44:0] entries [0:15];
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    reg [348:0] item;
+    reg [44:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -3781,28 +4426,12 @@ module stream_fifo_d16_w349_distributed (
 `endif
 endmodule
 
-// Orders splat copies by tile; their payloads wait in a memory.
+// Orders splat copies by tile; what else they have waits in a memory.
 // levels = 6
 module splat_reorder (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
-    input  wire [27:0] in_center_x,  // Projected center (px), the origin of what follows.
-    input  wire [27:0] in_center_y,  // Projected center (px), the origin of what follows.
-    input  wire [17:0] in_ax,  // `A` in x.
-    input  wire [17:0] in_bx,  // `B` in x.
-    input  wire [17:0] in_ay,  // `A` in y.
-    input  wire [17:0] in_by,  // `B` in y.
-    input  wire [21:0] in_delta,  // The determinant of `A` and `B`.
-    input  wire [17:0] in_mx,  // `m` in x.
-    input  wire [17:0] in_my,  // `m` in y.
-    input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
-    input  wire [23:0] in_depth,  // Depth.
-    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
-    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
-    input  wire [15:0] in_attribute_0,  // Attributes.
-    input  wire [15:0] in_attribute_1,  // Attributes.
-    input  wire [15:0] in_attribute_2,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
@@ -3812,24 +4441,9 @@ module splat_reorder (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [7:0] in_tile,  // Tile index: row above column.
+    input  wire [5:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
-    output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
-    output wire [27:0] out_center_y,  // Projected center (px), the origin of what follows.
-    output wire [17:0] out_ax,  // `A` in x.
-    output wire [17:0] out_bx,  // `B` in x.
-    output wire [17:0] out_ay,  // `A` in y.
-    output wire [17:0] out_by,  // `B` in y.
-    output wire [21:0] out_delta,  // The determinant of `A` and `B`.
-    output wire [17:0] out_mx,  // `m` in x.
-    output wire [17:0] out_my,  // `m` in y.
-    output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
-    output wire [23:0] out_depth,  // Depth.
-    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
-    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
-    output wire [15:0] out_attribute_0,  // Attributes.
-    output wire [15:0] out_attribute_1,  // Attributes.
-    output wire [15:0] out_attribute_2,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
@@ -3838,21 +4452,20 @@ module splat_reorder (
     output wire [3:0] out_last_sum,  // Largest sum.
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
-    output wire [7:0] out_tile  // Tile index: row above column.
+    output wire [7:0] out_tile,  // Tile index: row above column.
+    output wire [5:0] out_splat  // Place of its splat's payload.
 );
     reg free_valid;
     reg [5:0] free;
     reg [6:0] fresh;
     reg draining, stage_valid;
     reg [7:0] stage_tile;
-    wire [337:0] stage_payload;
+    wire [33:0] stage_rest;
 
     wire in_queue_out_valid;
-    wire [346:0] in_queue_out_data;
+    wire [42:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [346:0] out_queue_out_data;
-    wire caught_in_ready, caught_out_valid;
-    wire [346:0] caught_out_data;
+    wire [42:0] out_queue_out_data;
     wire lists_in_ready, lists_out_valid;
     wire [7:0] lists_out_tile;
     wire [5:0] lists_out_pointer;
@@ -3860,51 +4473,43 @@ module splat_reorder (
     wire [5:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[346];
+    wire in_queue_out_end = in_queue_out_data[42];
     wire offer = open & ~in_queue_out_end & free_valid;
-    wire advance = ~stage_valid | caught_in_ready;
+    wire [5:0] in_queue_out_splat = in_queue_out_data[5:0];
+    wire advance = ~stage_valid | out_queue_in_ready;
     wire insert = offer & lists_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (lists_empty & ~stage_valid & caught_in_ready);
-    wire [7:0] in_queue_out_tile = in_queue_out_data[7:0];
+    wire close = draining & (lists_empty & ~stage_valid & out_queue_in_ready);
+    wire [7:0] in_queue_out_tile = in_queue_out_data[13:6];
     wire leaving = lists_out_valid & advance;
     wire all_used = fresh[6];
     wire returned_out_ready = ~free_valid & all_used;
 
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
-        out_first_difference, out_last_difference, out_tile
+        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_splat
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(338), .DEPTH(64), .SLICE(288)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[345:8]),
-        .read(advance), .read_address(lists_out_pointer), .read_data(stage_payload)
+    memory_1w1r_unordered #(.WIDTH(34), .DEPTH(64)) rests (
+        .clk(clk), .write(offer), .write_address(free),
+        .write_data({in_queue_out_data[41:14], in_queue_out_splat}),
+        .read(advance), .read_address(lists_out_pointer), .read_data(stage_rest)
     );
 
-    stream_half_buffer_w347 in_queue (
+    stream_half_buffer_w43 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
-            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference,
-            in_tile
+            in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
+            in_last_difference, in_tile, in_splat
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w347 out_queue (
-        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
-        .in_data(caught_out_data),
+    stream_half_buffer_w43 out_queue (
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_ready(out_queue_in_ready), .in_data({close, stage_rest[33:6], stage_tile, stage_rest[5:0]}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
-    );
-
-    stream_half_buffer_w347 caught (
-        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
-        .in_data({close, stage_payload, stage_tile}),
-        .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_lists lists (
@@ -3953,62 +4558,6 @@ module splat_reorder (
 `endif
 endmodule
 
-// Queue in a memory with a registered output.
-// depth = 64
-// width = 6
-module stream_fifo_d64_w6 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [5:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [5:0] out_data
-);
-    reg [6:0] held, waiting;
-    reg [5:0] write_address, read_address;
-    wire [5:0] item;
-
-    wire has_room = ~held[6];
-    wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
-    wire pop = out_valid & out_ready;
-
-    assign in_ready = has_room;
-    assign out_data = item;
-
-    memory_1w1r_unordered #(.WIDTH(6), .DEPTH(64)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
-        .read(fetch), .read_address(read_address), .read_data(item)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 7'd0;
-            waiting <= 7'd0;
-            write_address <= 6'd0;
-            read_address <= 6'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 6'd1;
-            if (fetch) read_address <= read_address + 6'd1;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        held_in_range: assert (held <= 7'd64);
-        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
-`else
-        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {6'd0, out_valid}))) begin
-            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Lists of splat copies, one for each tile; some are served in turn.
 // pointers = 64
 // tiles_in_turn = 3
@@ -4016,20 +4565,20 @@ module splat_lists (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Entries in any order; no pointer comes again before it has left.
     input  wire [7:0] in_tile,  // Tile index.
-    input  wire [5:0] in_pointer,  // Place of the payload.
+    input  wire [5:0] in_pointer,  // Place of the rest.
     output wire out_valid, input wire out_ready,  // Entries of a tile in order of arrival, those of some tiles in turn.
     output wire [7:0] out_tile,  // Tile index.
-    output wire [5:0] out_pointer,  // Place of the payload.
+    output wire [5:0] out_pointer,  // Place of the rest.
     output wire empty  // It holds no entry.
 );
     reg clearing;
     reg [7:0] cleared;
     reg second, may_open, opening;
     reg [7:0] opened_tile;  // Tile index.
-    reg [5:0] opened_pointer;  // Place of the payload.
+    reg [5:0] opened_pointer;  // Place of the rest.
     reg appending;
     reg [7:0] appended_tile;  // Tile index.
-    reg [5:0] appended_pointer;  // Place of the payload.
+    reg [5:0] appended_pointer;  // Place of the rest.
     wire [6:0] found;
     reg meets_opened, meets_appended, linking, follows;
     reg [5:0] last;
@@ -4304,6 +4853,585 @@ module stream_skid_w14 (
 `endif
 endmodule
 
+// One item in a register, at half rate.
+// width = 43
+module stream_half_buffer_w43 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [42:0] out_data
+);
+    reg full;
+    reg [42:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
+    end
+    always @(posedge clk) if (in_ready) item <= in_data;
+endmodule
+
+// Keeps what the copies of a splat have in common, once.
+// places = 64
+// beats = 2
+module splat_payloads (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready,  // Copies, those of a splat one after the other.
+    input  wire in_end,  // Closes the frame.
+    input  wire in_first,  // It is the first of its splat.
+    input  wire [27:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [27:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [17:0] in_ax,  // `A` in x.
+    input  wire [17:0] in_bx,  // `B` in x.
+    input  wire [17:0] in_ay,  // `A` in y.
+    input  wire [17:0] in_by,  // `B` in y.
+    input  wire [21:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [17:0] in_mx,  // `m` in x.
+    input  wire [17:0] in_my,  // `m` in y.
+    input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
+    input  wire [7:0] in_tile,  // Tile index: row above column.
+    output wire copy_valid, input wire copy_ready,  // The same, with where their payload lies in its place.
+    output wire copy_end,  // Closes the frame.
+    output wire [2:0] copy_left,  // First column.
+    output wire [2:0] copy_right,  // Last column.
+    output wire [2:0] copy_top,  // First row.
+    output wire [2:0] copy_bottom,  // Last row.
+    output wire [3:0] copy_first_sum,  // Smallest sum.
+    output wire [3:0] copy_last_sum,  // Largest sum.
+    output wire [3:0] copy_first_difference,  // Smallest difference.
+    output wire [3:0] copy_last_difference,  // Largest difference.
+    output wire [7:0] copy_tile,  // Tile index: row above column.
+    output wire [5:0] copy_splat,  // Place of its splat's payload.
+    input  wire placed_valid, output wire placed_ready,  // Copies that are to be drawn, in any order.
+    input  wire placed_end,  // Closes the frame.
+    input  wire [2:0] placed_left,  // First column.
+    input  wire [2:0] placed_right,  // Last column.
+    input  wire [2:0] placed_top,  // First row.
+    input  wire [2:0] placed_bottom,  // Last row.
+    input  wire [3:0] placed_first_sum,  // Smallest sum.
+    input  wire [3:0] placed_last_sum,  // Largest sum.
+    input  wire [3:0] placed_first_difference,  // Smallest difference.
+    input  wire [3:0] placed_last_difference,  // Largest difference.
+    input  wire [7:0] placed_tile,  // Tile index: row above column.
+    input  wire [5:0] placed_splat,  // Place of its splat's payload.
+    input  wire [1:0] placed_slot,  // Slot of the tile cache.
+    output wire out_valid, input wire out_ready,  // The same with their payload.
+    output wire out_end,  // Closes the frame.
+    output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [27:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [17:0] out_ax,  // `A` in x.
+    output wire [17:0] out_bx,  // `B` in x.
+    output wire [17:0] out_ay,  // `A` in y.
+    output wire [17:0] out_by,  // `B` in y.
+    output wire [21:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [17:0] out_mx,  // `m` in x.
+    output wire [17:0] out_my,  // `m` in y.
+    output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
+    output wire [7:0] out_tile,  // Tile index: row above column.
+    output wire [1:0] out_slot  // Slot of the tile cache.
+);
+    reg clearing;
+    reg [5:0] cleared;
+    reg has_free;
+    reg [5:0] free;
+    reg holds, passes;
+    reg [5:0] place;
+    reg [8:0] copies;
+    reg open, writing, word;
+    reg [154:0] word_1;
+    reg held_end;
+    reg [2:0] held_left;  // First column.
+    reg [2:0] held_right;  // Last column.
+    reg [2:0] held_top;  // First row.
+    reg [2:0] held_bottom;  // Last row.
+    reg [3:0] held_first_sum;  // Smallest sum.
+    reg [3:0] held_last_sum;  // Largest sum.
+    reg [3:0] held_first_difference;  // Smallest difference.
+    reg [3:0] held_last_difference;  // Largest difference.
+    reg [7:0] held_tile;
+    reg current_valid, beat, out_holds;
+    reg current_end;  // Closes the frame.
+    reg [2:0] current_left;  // First column.
+    reg [2:0] current_right;  // Last column.
+    reg [2:0] current_top;  // First row.
+    reg [2:0] current_bottom;  // Last row.
+    reg [3:0] current_first_sum;  // Smallest sum.
+    reg [3:0] current_last_sum;  // Largest sum.
+    reg [3:0] current_first_difference;  // Smallest difference.
+    reg [3:0] current_last_difference;  // Largest difference.
+    reg [7:0] current_tile;  // Tile index: row above column.
+    reg [5:0] current_splat;  // Place of its splat's payload.
+    reg [1:0] current_slot;  // Slot of the tile cache.
+    wire [154:0] shown_word;
+    reg [154:0] kept_0;
+    reg held_out_end;  // Closes the frame.
+    reg [27:0] held_out_center_x;  // Projected center (px), the origin of what follows.
+    reg [27:0] held_out_center_y;  // Projected center (px), the origin of what follows.
+    reg [17:0] held_out_ax;  // `A` in x.
+    reg [17:0] held_out_bx;  // `B` in x.
+    reg [17:0] held_out_ay;  // `A` in y.
+    reg [17:0] held_out_by;  // `B` in y.
+    reg [21:0] held_out_delta;  // The determinant of `A` and `B`.
+    reg [17:0] held_out_mx;  // `m` in x.
+    reg [17:0] held_out_my;  // `m` in y.
+    reg [3:0] held_out_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg [23:0] held_out_depth;  // Depth.
+    reg [23:0] held_out_depth_low;  // What is nearer hides the splat.
+    reg [23:0] held_out_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] held_out_attribute_0;  // Attributes.
+    reg [15:0] held_out_attribute_1;  // Attributes.
+    reg [15:0] held_out_attribute_2;  // Attributes.
+    reg [2:0] held_out_left;  // First column.
+    reg [2:0] held_out_right;  // Last column.
+    reg [2:0] held_out_top;  // First row.
+    reg [2:0] held_out_bottom;  // Last row.
+    reg [3:0] held_out_first_sum;  // Smallest sum.
+    reg [3:0] held_out_last_sum;  // Largest sum.
+    reg [3:0] held_out_first_difference;  // Smallest difference.
+    reg [3:0] held_out_last_difference;  // Largest difference.
+    reg [7:0] held_out_tile;  // Tile index: row above column.
+    reg [1:0] held_out_slot;  // Slot of the tile cache.
+    reg left_valid;
+    reg [5:0] left_place;
+    wire [8:0] shown_balance;
+    reg reading_valid;
+    reg [5:0] reading_place;
+    reg [8:0] reading_number;
+    reg caught_valid;
+    reg [5:0] caught_place;
+    reg [8:0] caught_number, balance;
+    reg added_valid;
+    reg [5:0] added_place;
+    reg [8:0] added_number;
+    reg earlier_valid;
+    reg [5:0] earlier_place;
+    reg [8:0] earlier_number, earliest_number;
+    reg follows_added, follows_earlier, follows_earliest;
+
+    wire closes_in_ready, closes_out_valid;
+    wire [14:0] closes_out_data;
+    wire released_in_ready, released_out_valid;
+    wire [5:0] released_out_data;
+    wire placed_queue_out_valid;
+    wire [44:0] placed_queue_out_data;
+
+    wire ready = ~holds & (closes_in_ready & (has_free | passes));
+    wire copy_shown = holds & (~writing | word);
+    wire [154:0] payload_words_data_bits = {in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx[17:13]};
+    wire out_room = ~out_holds | out_ready;
+    wire leaves = current_valid & beat & out_room;
+    wire advance = ~current_valid | leaves;
+    wire advance_or_not_beat = advance | ~beat;
+    wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
+    wire [5:0] placed_queue_out_splat = placed_queue_out_data[7:2];
+    wire [5:0] balances_address_choice = added_valid ? added_place : cleared;
+    wire [5:0] closes_out_place = closes_out_data[14:9];
+    wire [5:0] begins_place = left_valid ? left_place : closes_out_place;
+    wire closes_splat = in_valid & (in_first | in_end) & (open & closes_in_ready);
+    wire closes_out_ready = ~left_valid;
+    wire clears = clearing & ~added_valid;
+    wire releases = clears | (added_valid & (added_number == 9'd0));
+    wire takes_free = ~has_free;
+    wire take = ready & in_valid;
+    wire needs_place = in_first & ~in_end;
+    wire begins_splat = take & needs_place;
+    wire placed_queue_out_end = placed_queue_out_data[44];
+    wire [2:0] placed_queue_out_left = placed_queue_out_data[43:41];
+    wire [2:0] placed_queue_out_right = placed_queue_out_data[40:38];
+    wire [2:0] placed_queue_out_top = placed_queue_out_data[37:35];
+    wire [2:0] placed_queue_out_bottom = placed_queue_out_data[34:32];
+    wire [3:0] placed_queue_out_first_sum = placed_queue_out_data[31:28];
+    wire [3:0] placed_queue_out_last_sum = placed_queue_out_data[27:24];
+    wire [3:0] placed_queue_out_first_difference = placed_queue_out_data[23:20];
+    wire [3:0] placed_queue_out_last_difference = placed_queue_out_data[19:16];
+    wire [7:0] placed_queue_out_tile = placed_queue_out_data[15:8];
+    wire [1:0] placed_queue_out_slot = placed_queue_out_data[1:0];
+    wire is_left = leaves & ~current_end;
+    wire begins = left_valid | closes_out_valid;
+    wire [8:0] closes_out_copies = closes_out_data[8:0];
+    wire [8:0] sum_choice = follows_earlier ? earlier_number : follows_earliest ? earliest_number : balance;
+    wire [8:0] sum = (follows_added ? added_number : sum_choice) + caught_number;
+
+    assign in_ready = ready;
+    assign copy_valid = copy_shown;
+    assign copy_end = held_end;
+    assign copy_left = held_left;
+    assign copy_right = held_right;
+    assign copy_top = held_top;
+    assign copy_bottom = held_bottom;
+    assign copy_first_sum = held_first_sum;
+    assign copy_last_sum = held_last_sum;
+    assign copy_first_difference = held_first_difference;
+    assign copy_last_difference = held_last_difference;
+    assign copy_tile = held_tile;
+    assign copy_splat = place;
+    assign out_valid = out_holds;
+    assign out_end = held_out_end;
+    assign out_center_x = held_out_center_x;
+    assign out_center_y = held_out_center_y;
+    assign out_ax = held_out_ax;
+    assign out_bx = held_out_bx;
+    assign out_ay = held_out_ay;
+    assign out_by = held_out_by;
+    assign out_delta = held_out_delta;
+    assign out_mx = held_out_mx;
+    assign out_my = held_out_my;
+    assign out_shift = held_out_shift;
+    assign out_depth = held_out_depth;
+    assign out_depth_low = held_out_depth_low;
+    assign out_depth_high = held_out_depth_high;
+    assign out_attribute_0 = held_out_attribute_0;
+    assign out_attribute_1 = held_out_attribute_1;
+    assign out_attribute_2 = held_out_attribute_2;
+    assign out_left = held_out_left;
+    assign out_right = held_out_right;
+    assign out_top = held_out_top;
+    assign out_bottom = held_out_bottom;
+    assign out_first_sum = held_out_first_sum;
+    assign out_last_sum = held_out_last_sum;
+    assign out_first_difference = held_out_first_difference;
+    assign out_last_difference = held_out_last_difference;
+    assign out_tile = held_out_tile;
+    assign out_slot = held_out_slot;
+
+    memory_1w1r_unordered #(.WIDTH(155), .DEPTH(128), .SLICE(144)) payload_words (
+        .clk(clk), .write(writing | (~holds & has_free)), .write_address({word, writing ? place : free}),
+        .write_data(word ? word_1 : payload_words_data_bits),
+        .read(advance_or_not_beat),
+        .read_address({beat_choice, advance ? placed_queue_out_splat : current_splat}),
+        .read_data(shown_word)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(9), .DEPTH(64)) balances (
+        .clk(clk), .write(clearing | added_valid), .write_address(balances_address_choice),
+        .write_data({9{added_valid}} & added_number),
+        .read(1'd1), .read_address(begins_place), .read_data(shown_balance)
+    );
+
+    stream_skid_w15 closes (
+        .clk(clk), .rst(rst), .in_valid(closes_splat), .in_ready(closes_in_ready), .in_data({place, copies}),
+        .out_valid(closes_out_valid), .out_ready(closes_out_ready), .out_data(closes_out_data)
+    );
+
+    stream_fifo_d64_w6 released (
+        .clk(clk), .rst(rst), .in_valid(releases), .in_ready(released_in_ready),
+        .in_data(balances_address_choice),
+        .out_valid(released_out_valid), .out_ready(takes_free), .out_data(released_out_data)
+    );
+
+    stream_skid_w45 placed_queue (
+        .clk(clk), .rst(rst), .in_valid(placed_valid), .in_ready(placed_ready),
+        .in_data({
+            placed_end, placed_left, placed_right, placed_top, placed_bottom, placed_first_sum, placed_last_sum,
+            placed_first_difference, placed_last_difference, placed_tile, placed_splat, placed_slot
+        }),
+        .out_valid(placed_queue_out_valid), .out_ready(advance), .out_data(placed_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            clearing <= 1'd1;
+            cleared <= 6'd0;
+            has_free <= 1'd0;
+            holds <= 1'd0;
+            passes <= 1'd0;
+            open <= 1'd0;
+            writing <= 1'd0;
+            current_valid <= 1'd0;
+            out_holds <= 1'd0;
+            left_valid <= 1'd0;
+            reading_valid <= 1'd0;
+            caught_valid <= 1'd0;
+            added_valid <= 1'd0;
+            earlier_valid <= 1'd0;
+        end else begin
+            clearing <= clearing & ~(clears & (cleared == 6'd63));
+            has_free <= takes_free ? released_out_valid : (has_free & ~begins_splat);
+            holds <= holds ? ~(copy_shown & copy_ready) : take;
+            passes <= in_valid & ~ready & ~needs_place;
+            open <= begins_splat | (open & ~closes_splat);
+            writing <= writing ? ~word : begins_splat;
+            left_valid <= is_left;
+            reading_valid <= begins;
+            caught_valid <= reading_valid;
+            added_valid <= caught_valid;
+            earlier_valid <= added_valid;
+            if (clears) cleared <= cleared + 6'd1;
+            if (advance) current_valid <= placed_queue_out_valid;
+            if (out_room) out_holds <= leaves;
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_free) free <= released_out_data;
+        if (begins_splat) place <= free;
+        if (take) copies <= begins_splat ? 9'd1 : (copies + 9'd1);
+        word <= writing ? (word ? 1'd0 : (word + 1'd1)) : begins_splat;
+        left_place <= current_splat;
+        reading_place <= begins_place;
+        reading_number <= left_valid ? 9'd511 : closes_out_copies;
+        caught_place <= reading_place;
+        caught_number <= reading_number;
+        balance <= shown_balance;
+        added_place <= caught_place;
+        added_number <= sum;
+        earlier_place <= added_place;
+        earlier_number <= added_number;
+        earliest_number <= earlier_number;
+        follows_added <= caught_valid & (caught_place == reading_place);
+        follows_earlier <= added_valid & (added_place == reading_place);
+        follows_earliest <= earlier_valid & (earlier_place == reading_place);
+        if (~holds) begin
+            word_1 <= {
+                in_mx[12:0], in_my, in_shift, in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
+                in_attribute_2
+            };
+            held_end <= in_end;
+            held_left <= in_left;
+            held_right <= in_right;
+            held_top <= in_top;
+            held_bottom <= in_bottom;
+            held_first_sum <= in_first_sum;
+            held_last_sum <= in_last_sum;
+            held_first_difference <= in_first_difference;
+            held_last_difference <= in_last_difference;
+            held_tile <= in_tile;
+        end
+        if (advance_or_not_beat) beat <= beat_choice;
+        if (advance) begin
+            current_end <= placed_queue_out_end;
+            current_left <= placed_queue_out_left;
+            current_right <= placed_queue_out_right;
+            current_top <= placed_queue_out_top;
+            current_bottom <= placed_queue_out_bottom;
+            current_first_sum <= placed_queue_out_first_sum;
+            current_last_sum <= placed_queue_out_last_sum;
+            current_first_difference <= placed_queue_out_first_difference;
+            current_last_difference <= placed_queue_out_last_difference;
+            current_tile <= placed_queue_out_tile;
+            current_splat <= placed_queue_out_splat;
+            current_slot <= placed_queue_out_slot;
+        end
+        if (~beat) kept_0 <= shown_word;
+        if (out_room) begin
+            held_out_end <= current_end;
+            held_out_center_x <= kept_0[154:127];
+            held_out_center_y <= kept_0[126:99];
+            held_out_ax <= kept_0[98:81];
+            held_out_bx <= kept_0[80:63];
+            held_out_ay <= kept_0[62:45];
+            held_out_by <= kept_0[44:27];
+            held_out_delta <= kept_0[26:5];
+            held_out_mx <= {kept_0[4:0], shown_word[154:142]};
+            held_out_my <= shown_word[141:124];
+            held_out_shift <= shown_word[123:120];
+            held_out_depth <= shown_word[119:96];
+            held_out_depth_low <= shown_word[95:72];
+            held_out_depth_high <= shown_word[71:48];
+            held_out_attribute_0 <= shown_word[47:32];
+            held_out_attribute_1 <= shown_word[31:16];
+            held_out_attribute_2 <= shown_word[15:0];
+            held_out_left <= current_left;
+            held_out_right <= current_right;
+            held_out_top <= current_top;
+            held_out_bottom <= current_bottom;
+            held_out_first_sum <= current_first_sum;
+            held_out_last_sum <= current_last_sum;
+            held_out_first_difference <= current_first_difference;
+            held_out_last_difference <= current_last_difference;
+            held_out_tile <= current_tile;
+            held_out_slot <= current_slot;
+        end
+    end
+
+    wire _unused = &{1'b0, released_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_place_that_is_free_has_room: assert (~releases | released_in_ready);
+`else
+        if (!(~releases | released_in_ready)) begin
+            $display("assertion failed: a_place_that_is_free_has_room in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 45
+module stream_skid_w45 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [44:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [44:0] out_data
+);
+    reg second_valid;
+    reg [44:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 6
+module stream_fifo_d64_w6 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [5:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [5:0] out_data
+);
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [5:0] item;
+
+    wire has_room = ~held[6];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(6), .DEPTH(64)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 15
+module stream_skid_w15 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [14:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [14:0] out_data
+);
+    reg second_valid;
+    reg [14:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Splits a splat's octagon into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
@@ -4335,6 +5463,7 @@ module splat_splitter (
     input  wire [7:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
+    output wire out_first,  // It is the first of its splat.
     output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [27:0] out_center_y,  // Projected center (px), the origin of what follows.
     output wire [17:0] out_ax,  // `A` in x.
@@ -4388,9 +5517,10 @@ module splat_splitter (
     reg [7:0] splat_first_difference;  // Smallest difference.
     reg [7:0] splat_last_difference;  // Largest difference.
     reg [3:0] column, row, first_sum, past_sum, first_difference, past_difference;
+    reg first;
 
     wire out_queue_in_ready;
-    wire [346:0] out_queue_out_data;
+    wire [347:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire step = out_queue_in_ready & (busy & located);
@@ -4418,6 +5548,7 @@ module splat_splitter (
     wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
     wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
     wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire push = step & occupied;
     wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
     wire locate = busy & ~located;
@@ -4438,16 +5569,16 @@ module splat_splitter (
 
     assign in_ready = ready;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_end, out_first, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx,
+        out_my, out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
         out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
         out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w347 out_queue (
-        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w348 out_queue (
+        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
         .in_data({
-            splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
+            splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, out_queue_in_data_choice_2, out_queue_in_data_choice,
             occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum, past_sum - 4'd1, first_difference,
@@ -4467,6 +5598,7 @@ module splat_splitter (
     end
     always @(posedge clk) begin
         located <= locate | (located & ~moves);
+        first <= take | (first & ~push);
         if (moves) begin
             last <= take ? last_either : last_same;
             column <= take ? in_left[6:3] : column_choice;
@@ -4511,14 +5643,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 347
-module stream_half_buffer_w347 (
+// width = 348
+module stream_half_buffer_w348 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [346:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [346:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [347:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [347:0] out_data
 );
     reg full;
-    reg [346:0] item;
+    reg [347:0] item;
 
     assign in_ready = ~full;
 
@@ -4603,9 +5735,8 @@ module splat_setup (
     reg delay_7_from_10 [0:5];
     (* ram_style = "distributed" *)
     reg [53:0] delay_7_from_14 [0:5];
-    reg [3:0] phase;
-    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, load_8, load_9, load_10, load_11;
-    reg load_12, load_13, load_14, load_15;
+    reg [4:0] credits;
+    reg [15:0] phases_1;
     reg [1:0] delay_5_from_0_pointer;
     reg [55:0] delay_5_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
@@ -4621,11 +5752,16 @@ module splat_setup (
     reg delay_7_from_10_out;
     reg [2:0] delay_7_from_14_pointer;
     reg [53:0] delay_7_from_14_out;
-    reg [23:0] center_x_d1, center_x_d2, center_y_d1, center_y_d2, tangent1_x_d1, tangent1_x_d2, tangent1_y_d1;
-    reg [23:0] tangent1_y_d2, tangent1_z_d1, tangent1_z_d2, tangent2_x_d1, tangent2_x_d2, tangent2_y_d1;
-    reg [23:0] tangent2_y_d2, tangent2_z_d1, tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1, beta_d2, q_d1, q_d2;
-    reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1;
-    reg [23:0] abs_b_depth_d1, spread_half_d1, spread_half_d2, half_depth_lesser_d1, half_depth_lesser_d2;
+    reg [15:0] phases_2;
+    reg [23:0] center_x_d1, center_x_d2, center_y_d1, center_y_d2, tangent1_x_d1;
+    reg [15:0] phases_3;
+    reg [23:0] tangent1_x_d2, tangent1_y_d1, tangent1_y_d2, tangent1_z_d1, tangent1_z_d2;
+    reg [15:0] phases_4;
+    reg [23:0] tangent2_x_d1, tangent2_x_d2, tangent2_y_d1, tangent2_y_d2, tangent2_z_d1;
+    reg [15:0] phases_5;
+    reg [23:0] tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1, beta_d2, q_d1, q_d2, f_d1, b_depth_d1, b_depth_d2;
+    reg [23:0] b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1, abs_b_depth_d1, spread_half_d1;
+    reg [23:0] spread_half_d2, half_depth_lesser_d1, half_depth_lesser_d2;
     reg before_far_d1, before_far_d2;
     reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, epsilon_d1, v_x_d1, tangent1_x_times_r_d1, a_x_d1;
     reg [23:0] tangent2_x_times_r_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3, t_x_sum_d1, t_x_d1;
@@ -4678,7 +5814,9 @@ module splat_setup (
     reg [10:0] mx_sum_d1_copy2;
     reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, mx_both_d1_copy2, alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [23:0] mx_joined_d1_copy2, mx_product_d1, my_product_d1, minus_my_product_d1;
+    reg [23:0] mx_joined_d1_copy2, mx_product_d1, my_product_d1;
+    reg [15:0] phases_6;
+    reg [23:0] minus_my_product_d1;
     reg [10:0] a_exponent_plus_b_exponent_d1, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
@@ -4714,6 +5852,7 @@ module splat_setup (
     reg edge_on_lesser_below_32_d1, unit_delta_bits_is_zero_d1, edge_on_in_order_d1;
     reg [23:0] first_sum_sum_d1, first_sum_sum_d1_copy2, f_times_first_sum_sum_d1, first_sum_sum_d1_copy3;
     reg [23:0] first_sum_product_d1, t_x_plus_t_y_d1, t_x_plus_t_y_d2, t_x_plus_t_y_d3, first_difference_sum_d1;
+    reg [15:0] phases_7;
     reg [23:0] t_x_minus_t_y_d1, t_x_minus_t_y_d2, t_x_minus_t_y_d3, root_of_first_sum_sum_d1, first_sum_greater_d1;
     reg [26:0] first_sum_sum_d1_copy4;
     reg [23:0] last_sum_greater_d1;
@@ -4732,7 +5871,9 @@ module splat_setup (
     reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_d1;
     reg center_x_bits_below_140_d1_copy2, placed_d1;
     reg [29:0] center_x_out_shifted_d1;
-    reg [27:0] center_x_out_lesser_d1, center_x_out_d6, center_x_out_d7;
+    reg [27:0] center_x_out_lesser_d1, center_x_out_d6;
+    reg [15:0] phases_8;
+    reg [27:0] center_x_out_d7;
     reg [29:0] center_y_out_shifted_d1;
     reg [27:0] center_y_out_lesser_d1, center_y_out_d6, center_y_out_d7;
     reg [28:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
@@ -4813,18 +5954,58 @@ module splat_setup (
     reg odd_either_or_mx_bits_is_255_d1, odd_either_d1_copy2, delta_bits_is_255_d1, vanishes_d1;
     reg not_placed_d1, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_low_out_d2;
-    reg [23:0] depth_high_out_d1, depth_high_out_d2, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b, sqrt_f24_ftz_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
-    reg [23:0] min_f24_ftz_unit_a, min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a, to_fixed_f24_ftz_s22q8_unit_a;
-    reg [23:0] to_fixed_f24_ftz_s29q15_unit_a, to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [23:0] depth_high_out_d1, depth_high_out_d2;
+    reg [3:0] recip_f24_ftz_unit_phase;
+    reg [23:0] recip_f24_ftz_unit_a;
+    reg [3:0] mul_f24_ftz_unit_phase, mul_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [3:0] mul_f24_ftz_unit_phase_copy3, mul_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase, mul_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase_copy3, mul_f24_ftz_unit_copy2_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [3:0] mul_f24_ftz_unit_copy3_phase, mul_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy3_a;
+    reg [3:0] mul_f24_ftz_unit_copy3_phase_copy3, mul_f24_ftz_unit_copy3_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_copy3_b;
+    reg [3:0] mul_f24_ftz_unit_copy4_phase, mul_f24_ftz_unit_copy4_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy4_a;
+    reg [3:0] mul_f24_ftz_unit_copy4_phase_copy3, mul_f24_ftz_unit_copy4_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_copy4_b;
+    reg [3:0] add_f24_ftz_unit_phase, add_f24_ftz_unit_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [3:0] add_f24_ftz_unit_phase_copy3, add_f24_ftz_unit_phase_copy4;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [3:0] add_f24_ftz_unit_copy2_phase, add_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [3:0] add_f24_ftz_unit_copy2_phase_copy3, add_f24_ftz_unit_copy2_phase_copy4;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
+    reg [3:0] add_f24_ftz_unit_copy3_phase, add_f24_ftz_unit_copy3_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy3_a;
+    reg [3:0] add_f24_ftz_unit_copy3_phase_copy3, add_f24_ftz_unit_copy3_phase_copy4;
+    reg [23:0] add_f24_ftz_unit_copy3_b;
+    reg [3:0] sqrt_f24_ftz_unit_phase;
+    reg [23:0] sqrt_f24_ftz_unit_a;
+    reg [3:0] le_f24_ftz_unit_phase;
+    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b;
+    reg [3:0] min_f24_ftz_unit_phase;
+    reg [23:0] min_f24_ftz_unit_a;
+    reg [3:0] min_f24_ftz_unit_phase_copy2;
+    reg [23:0] min_f24_ftz_unit_b;
+    reg [3:0] max_f24_ftz_unit_phase, max_f24_ftz_unit_phase_copy2;
+    reg [23:0] max_f24_ftz_unit_a;
+    reg [3:0] max_f24_ftz_unit_phase_copy3, max_f24_ftz_unit_phase_copy4;
+    reg [23:0] max_f24_ftz_unit_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a;
+    reg [3:0] to_fixed_f24_ftz_s22q8_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_s22q8_unit_a;
+    reg [3:0] to_fixed_f24_ftz_s29q15_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_s29q15_unit_a;
+    reg [3:0] to_fixed_f24_ftz_s19q18_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [9:0] in_flight;
+    reg left, dropped;
 
-    wire queue_in_ready;
-    wire [370:0] queue_out_data;
     wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire [23:0] sqrt_f24_ftz_unit_y;
@@ -4837,11 +6018,19 @@ module splat_setup (
     wire [18:0] to_fixed_f24_ftz_s19q18_unit_y;
     wire [22:0] to_fixed_f24_ftz_s23q22_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
+    wire queue_1_in_ready;
+    wire [110:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
+    wire [123:0] queue_3_out_data;
+    wire queue_4_in_ready, queue_4_out_valid;
 
+    assign in_ready = ~credits[4] & phases_1[0];
+    wire in_flight_9_and_phases_5_0 = in_flight[9] & phases_5[0];
     wire end_d10 = delay_10_from_0_out[0];
     wire end_or_visible = end_d10 | visible_d1;
-    wire phase_is_0 = phase == 4'd0;
-    wire queue_in_valid_both = in_flight[9] & end_or_visible & phase_is_0;
+    wire kept = in_flight_9_and_phases_5_0 & end_or_visible;
     wire odd_or_edge_on_or_not_placed_d5 = delay_5_from_8_out[1];
     wire covers_nothing = vanishes_d1 | odd_or_edge_on_or_not_placed_d5;
     wire [17:0] ax_out = covers_nothing ? 18'd0 : ax_out_lesser_d1;
@@ -4854,9 +6043,7 @@ module splat_setup (
     wire [15:0] attribute_0_d10 = delay_10_from_0_out[16:1];
     wire [15:0] attribute_1_d10 = delay_10_from_0_out[32:17];
     wire [15:0] attribute_2_d10 = delay_10_from_0_out[48:33];
-    wire phase_is_15 = phase == 4'd15;
-    wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
-    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
     wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d2 : half_depth_lesser_d2;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
@@ -4866,7 +6053,6 @@ module splat_setup (
     wire [6:0] first_x = first_x_shifted_d1_shifted[6:0];
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [6:0] last_x = last_x_lesser_minus_1[6:0];
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
@@ -4944,7 +6130,6 @@ module splat_setup (
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d2 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d2[14:0]} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
     wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
@@ -5236,120 +6421,495 @@ module splat_setup (
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d1 | edge_on_either;
     wire edge_on_or_not_placed = edge_on | not_placed_d1;
-    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? scale_y : half_depth_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? alpha_d2 : phase[0] ? b_depth_d3 : alpha_d1) : mul_f24_ftz_unit_a_choice;
-    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? r_d1 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[2] ? mul_f24_ftz_unit_a_choice_3 : phase[1] ? unit_delta_joined_d1 : 24'h3f8008;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? mul_f24_ftz_unit_copy2_y : v_y_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_copy2_y : epsilon_scale;
-    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? depth_b : r_d1) : phase[0] ? recip_f24_ftz_unit_y : t_x_sum_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_6 = phase[2] ? mul_f24_ftz_unit_b_choice_5 : phase[1] ? unit_delta_joined_d1_copy4 : first_sum_sum_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? scale_y : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? (phase[1] ? beta_d2 : phase[0] ? abs_b_depth_d1 : scale_x) : mul_f24_ftz_unit_copy2_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? q_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice_4 : phase[1] ? unit_delta_joined_d1_copy2 : a_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? mul_f24_ftz_unit_copy3_y : v_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[0] ? recip_f24_ftz_unit_y : a_x_squared_plus_b_x_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? f_d1 : r_d1) : mul_f24_ftz_unit_copy2_b_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_5 : phase[1] ? unit_delta_joined_d1_copy3 : a_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? filter_radius : tangent2_y_d2;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? unit_delta_joined_d1_copy4 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? f_d1 : tangent1_y_d2) : phase[0] ? center_x_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? 24'h3fb600 : r_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mx_joined_d1_copy2 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : r_d1) : phase[0] ? recip_f24_ftz_unit_y : t_y_sum_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? scale_y : beta_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[0] ? unit_delta_joined_d1_copy3 : unit_delta_joined_d1_copy2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : unit_delta_joined_d1) : mul_f24_ftz_unit_copy4_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_5 = phase[1] ? (phase[0] ? f_d1 : center_y_d2) : phase[0] ? center_y_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy4_a_choice_5 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mx_joined_d1) : phase[0] ? mx_joined_d1_copy2 : mx_joined_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_copy2_a_choice : v_y_d1) : mul_f24_ftz_unit_copy4_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[0] ? recip_f24_ftz_unit_y : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = phase[1] ? (phase[0] ? first_sum_sum_d1_copy2 : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy4_b_choice_4 : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? mx_product_d1 : mul_f24_ftz_unit_y) : phase[0] ? depth_a : center_x_minus_t_x_d2;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? h_x_d1 : add_f24_ftz_unit_y) : phase[0] ? unit_delta_product_d1 : 24'h3f8000;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? center_depth_d1 : origin_x) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_6 = phase[2] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : epsilon_bias) : phase[0] ? b_depth_d2 : {~h_x_d1[23], h_x_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? center_x_minus_t_x_d2 : {~spread_half_d1[23], spread_half_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? minus_unit_delta_product_d1 : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
-    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? mul_f24_ftz_unit_copy2_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_8 = phase[2] ? add_f24_ftz_unit_b_choice_6 : add_f24_ftz_unit_b_choice_7;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? center_x_d3 : my_product_d1) : phase[0] ? center_y_minus_t_y_d2 : sqrt_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_d3) : middle_depth_d2;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? (phase[0] ? origin_y : tangent1_y_times_r_d1) : phase[0] ? tangent1_x_times_r_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? add_f24_ftz_unit_copy2_a_choice_4 : add_f24_ftz_unit_copy2_a_choice_5;
-    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_filter_radius : minus_my_product_d1) : phase[0] ? minus_h_y_d1 : center_y_minus_t_y_d2;
-    wire [23:0] minus_mul_f24_ftz_unit_y = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d3 : minus_mul_f24_ftz_unit_y) : phase[0] ? epsilon_d1 : {~epsilon_d1[23], epsilon_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : first_sum_sum_d1_copy3) : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : minus_mul_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = phase[2] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? filter_radius : t_x_d1) : phase[0] ? minus_filter_radius : center_y_d2_copy2;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? center_y_d2_copy2 : phase[0] ? t_x_d1 : root_of_first_difference_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? root_of_first_difference_sum_d1 : mul_f24_ftz_unit_y) : phase[0] ? t_x_minus_t_y_d3 : root_of_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? (phase[0] ? t_x_plus_t_y_d3 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_times_r_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_d2_copy2 : t_y_d1) : phase[0] ? center_y_d2_copy2 : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] minus_t_x_minus_t_y_d3 = {~t_x_minus_t_y_d3[23], t_x_minus_t_y_d3[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : phase[0] ? minus_t_y_d1 : minus_t_x_minus_t_y_d3;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[0] ? minus_t_x_minus_t_y_d3 : {~first_sum_sum_d1_copy3[23], first_sum_sum_d1_copy3[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = phase[0] ? root_of_first_difference_sum_d1 : {~t_x_plus_t_y_d3[23], t_x_plus_t_y_d3[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_6 = phase[1] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_7 = phase[0] ? root_of_first_sum_sum_d1 : minus_mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_8 = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : f_times_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_9 = phase[1] ? add_f24_ftz_unit_copy3_b_choice_7 : add_f24_ftz_unit_copy3_b_choice_8;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_10 = phase[2] ? add_f24_ftz_unit_copy3_b_choice_6 : add_f24_ftz_unit_copy3_b_choice_9;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[0] ? add_f24_ftz_unit_copy2_y : t_y_squared_plus_h_y_product_d1;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[1] ? t_y_squared_plus_h_y_product_d1 : phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_3 = phase[2] ? (phase[1] ? first_difference_sum_d1 : sqrt_f24_ftz_unit_a_choice) : sqrt_f24_ftz_unit_a_choice_2;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_4 = phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_y : q_d1) : q_d1) : q_d1;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[2] ? (phase[1] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? 24'h45fff8 : phase[0] ? max_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h470000;
-    wire [23:0] min_f24_ftz_unit_a_choice_3 = phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_sum_greater_d1 : first_sum_greater_d1) : max_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? 24'h45fff8 : center_y_minus_filter_radius_d3;
-    wire [23:0] min_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_x_minus_filter_radius_d2 : abs_b_depth_d1) : phase[0] ? max_f24_ftz_unit_y : first_difference_greater_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_4 = phase[2] ? min_f24_ftz_unit_b_choice_2 : min_f24_ftz_unit_b_choice_3;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'd0 : first_sum_product_d1) : first_sum_product_d1;
-    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? first_sum_product_d1 : 24'd0;
-    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y) : 24'd0;
-    wire [23:0] max_f24_ftz_unit_a_choice_4 = phase[2] ? (phase[1] ? 24'd0 : phase[0] ? 24'd0 : add_f24_ftz_unit_copy2_y) : max_f24_ftz_unit_a_choice_3;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[2] ? max_f24_ftz_unit_b_choice : phase[1] ? add_f24_ftz_unit_copy3_y : min_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[1] ? min_f24_ftz_unit_y : phase[0] ? middle_depth_d1 : filter_radius_plus_center_y_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d2;
-    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[1] ? max_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_6 = phase[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
-    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = phase[2] ? add_f24_ftz_unit_copy2_y : phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice_2 = phase[3] ? to_fixed_f24_ftz_s22q8_unit_a_choice : add_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = phase[2] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : ax_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = phase[2] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : ax_out_joined_d1;
+    wire [23:0] recip_f24_ftz_unit_a_choice = recip_f24_ftz_unit_phase[1] ? (recip_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] recip_f24_ftz_unit_a_choice_2 = recip_f24_ftz_unit_phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z;
+    wire [5:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[0] ? alpha_d2[23:18] : alpha_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[0] ? b_depth_d3[23:18] : alpha_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+    wire [5:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[0] ? scale_y[23:18] : half_depth_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
+    wire [5:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_6;
+    wire [5:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase_copy2[0] ? r_d1[23:18] : tangent1_x_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d2[23:18] : recip_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice_8 : mul_f24_ftz_unit_a_choice_9;
+    wire [5:0] mul_f24_ftz_unit_a_choice_11 = mul_f24_ftz_unit_phase_copy2[0] ? unit_delta_joined_d1[23:18] : unit_delta_joined_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_a_choice_12 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice_11 : mul_f24_ftz_unit_phase_copy2[0] ? 6'd15 : 6'd15;
+    wire [5:0] mul_f24_ftz_unit_a_choice_13 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_10 : mul_f24_ftz_unit_a_choice_12;
+    wire [5:0] mul_f24_ftz_unit_a_choice_14 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice_7 : mul_f24_ftz_unit_a_choice_13;
+    wire [17:0] mul_f24_ftz_unit_a_choice_15 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? alpha_d2[17:0] : alpha_d2[17:0]) : mul_f24_ftz_unit_phase[0] ? b_depth_d3[17:0] : alpha_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_a_choice_16 = mul_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_a_choice_17 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice_16 : mul_f24_ftz_unit_phase[0] ? scale_y[17:0] : half_depth_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_a_choice_18 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_15 : mul_f24_ftz_unit_a_choice_17;
+    wire [17:0] mul_f24_ftz_unit_a_choice_19 = mul_f24_ftz_unit_phase[0] ? tangent1_z_d2[17:0] : recip_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_a_choice_20 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? r_d1[17:0] : tangent1_x_d2[17:0]) : mul_f24_ftz_unit_a_choice_19;
+    wire [17:0] mul_f24_ftz_unit_a_choice_21 = mul_f24_ftz_unit_phase[0] ? unit_delta_joined_d1[17:0] : unit_delta_joined_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_a_choice_22 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice_21 : mul_f24_ftz_unit_phase[0] ? 18'h38008 : 18'h38008;
+    wire [17:0] mul_f24_ftz_unit_a_choice_23 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_20 : mul_f24_ftz_unit_a_choice_22;
+    wire [17:0] mul_f24_ftz_unit_a_choice_24 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_18 : mul_f24_ftz_unit_a_choice_23;
+    wire [5:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : v_y_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+    wire [5:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : epsilon_scale[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_5;
+    wire [5:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_6;
+    wire [5:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : t_x_sum_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy4[1] ? (mul_f24_ftz_unit_phase_copy4[0] ? depth_b[23:18] : r_d1[23:18]) : mul_f24_ftz_unit_b_choice_8;
+    wire [5:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy4[0] ? unit_delta_joined_d1_copy4[23:18] : unit_delta_joined_d1_copy4[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy4[0] ? first_sum_sum_d1[23:18] : first_sum_sum_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_10 : mul_f24_ftz_unit_b_choice_11;
+    wire [5:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_9 : mul_f24_ftz_unit_b_choice_12;
+    wire [5:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_7 : mul_f24_ftz_unit_b_choice_13;
+    wire [17:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : v_y_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_17 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_15 : mul_f24_ftz_unit_b_choice_16;
+    wire [17:0] mul_f24_ftz_unit_b_choice_18 = mul_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_19 = mul_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : epsilon_scale[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_20 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_18 : mul_f24_ftz_unit_b_choice_19;
+    wire [17:0] mul_f24_ftz_unit_b_choice_21 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_17 : mul_f24_ftz_unit_b_choice_20;
+    wire [17:0] mul_f24_ftz_unit_b_choice_22 = mul_f24_ftz_unit_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : t_x_sum_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_23 = mul_f24_ftz_unit_phase_copy3[1] ? (mul_f24_ftz_unit_phase_copy3[0] ? depth_b[17:0] : r_d1[17:0]) : mul_f24_ftz_unit_b_choice_22;
+    wire [17:0] mul_f24_ftz_unit_b_choice_24 = mul_f24_ftz_unit_phase_copy3[0] ? unit_delta_joined_d1_copy4[17:0] : unit_delta_joined_d1_copy4[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_25 = mul_f24_ftz_unit_phase_copy3[0] ? first_sum_sum_d1[17:0] : first_sum_sum_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_b_choice_26 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_24 : mul_f24_ftz_unit_b_choice_25;
+    wire [17:0] mul_f24_ftz_unit_b_choice_27 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_23 : mul_f24_ftz_unit_b_choice_26;
+    wire [17:0] mul_f24_ftz_unit_b_choice_28 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_21 : mul_f24_ftz_unit_b_choice_27;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? beta_d2[23:18] : beta_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? abs_b_depth_d1[23:18] : scale_x[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? scale_y[23:18] : scale_x[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_7 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_6;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_8 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? q_d2[23:18] : tangent2_x_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_9 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_z_d2[23:18] : recip_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_10 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice_8 : mul_f24_ftz_unit_copy2_a_choice_9;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_11 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? unit_delta_joined_d1_copy2[23:18] : unit_delta_joined_d1_copy2[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_12 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? a_x_d1[23:18] : a_x_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_13 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice_11 : mul_f24_ftz_unit_copy2_a_choice_12;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_14 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_10 : mul_f24_ftz_unit_copy2_a_choice_13;
+    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_15 = mul_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_a_choice_7 : mul_f24_ftz_unit_copy2_a_choice_14;
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_16 = mul_f24_ftz_unit_copy2_phase[0] ? abs_b_depth_d1[17:0] : scale_x[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_17 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? beta_d2[17:0] : beta_d2[17:0]) : mul_f24_ftz_unit_copy2_a_choice_16;
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_18 = mul_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy2_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_19 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_18 : mul_f24_ftz_unit_copy2_phase[0] ? scale_y[17:0] : scale_x[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_20 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_17 : mul_f24_ftz_unit_copy2_a_choice_19;
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_21 = mul_f24_ftz_unit_copy2_phase[0] ? q_d2[17:0] : tangent2_x_d2[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_22 = mul_f24_ftz_unit_copy2_phase[0] ? tangent2_z_d2[17:0] : recip_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_23 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_21 : mul_f24_ftz_unit_copy2_a_choice_22;
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_24 = mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1_copy2[17:0] : unit_delta_joined_d1_copy2[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_25 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_24 : mul_f24_ftz_unit_copy2_phase[0] ? a_x_d1[17:0] : a_x_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_26 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_23 : mul_f24_ftz_unit_copy2_a_choice_25;
+    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_27 = mul_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_copy2_a_choice_20 : mul_f24_ftz_unit_copy2_a_choice_26;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y[23:18] : v_x_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_copy3_y[23:18] : add_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_4;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_5;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_7 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? f_d1[23:18] : r_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_8 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : a_x_squared_plus_b_x_squared_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_9 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_7 : mul_f24_ftz_unit_copy2_b_choice_8;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_10 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? unit_delta_joined_d1_copy3[23:18] : unit_delta_joined_d1_copy3[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_11 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? a_y_d1[23:18] : a_y_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_12 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_10 : mul_f24_ftz_unit_copy2_b_choice_11;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_13 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_9 : mul_f24_ftz_unit_copy2_b_choice_12;
+    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_14 = mul_f24_ftz_unit_copy2_phase_copy4[3] ? mul_f24_ftz_unit_copy2_b_choice_6 : mul_f24_ftz_unit_copy2_b_choice_13;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_15 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_16 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[17:0] : v_x_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_17 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_15 : mul_f24_ftz_unit_copy2_b_choice_16;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_18 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? add_f24_ftz_unit_copy3_y[17:0] : add_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_19 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_15 : mul_f24_ftz_unit_copy2_b_choice_18;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_20 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_17 : mul_f24_ftz_unit_copy2_b_choice_19;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_21 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : a_x_squared_plus_b_x_squared_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_22 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? (mul_f24_ftz_unit_copy2_phase_copy3[0] ? f_d1[17:0] : r_d1[17:0]) : mul_f24_ftz_unit_copy2_b_choice_21;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_23 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? unit_delta_joined_d1_copy3[17:0] : unit_delta_joined_d1_copy3[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_24 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? a_y_d1[17:0] : a_y_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_25 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_23 : mul_f24_ftz_unit_copy2_b_choice_24;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_26 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_22 : mul_f24_ftz_unit_copy2_b_choice_25;
+    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_27 = mul_f24_ftz_unit_copy2_phase_copy3[3] ? mul_f24_ftz_unit_copy2_b_choice_20 : mul_f24_ftz_unit_copy2_b_choice_26;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? filter_radius[23:18] : tangent2_y_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_5 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? unit_delta_joined_d1_copy4[23:18] : scale_x[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_6 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_7 = mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_6;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_8 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? f_d1[23:18] : tangent1_y_d2[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_9 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? center_x_d2[23:18] : recip_f24_ftz_unit_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_10 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice_8 : mul_f24_ftz_unit_copy3_a_choice_9;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_11 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? b_x_d1[23:18] : b_x_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_12 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice_11 : mul_f24_ftz_unit_copy3_a_choice_11;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_13 = mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_a_choice_10 : mul_f24_ftz_unit_copy3_a_choice_12;
+    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_14 = mul_f24_ftz_unit_copy3_phase_copy2[3] ? mul_f24_ftz_unit_copy3_a_choice_7 : mul_f24_ftz_unit_copy3_a_choice_13;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_15 = mul_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_16 = mul_f24_ftz_unit_copy3_phase[0] ? filter_radius[17:0] : tangent2_y_d2[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_17 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_15 : mul_f24_ftz_unit_copy3_a_choice_16;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_18 = mul_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_19 = mul_f24_ftz_unit_copy3_phase[0] ? unit_delta_joined_d1_copy4[17:0] : scale_x[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_20 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_18 : mul_f24_ftz_unit_copy3_a_choice_19;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_21 = mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_17 : mul_f24_ftz_unit_copy3_a_choice_20;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_22 = mul_f24_ftz_unit_copy3_phase[0] ? f_d1[17:0] : tangent1_y_d2[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_23 = mul_f24_ftz_unit_copy3_phase[0] ? center_x_d2[17:0] : recip_f24_ftz_unit_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_24 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_22 : mul_f24_ftz_unit_copy3_a_choice_23;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_25 = mul_f24_ftz_unit_copy3_phase[0] ? b_x_d1[17:0] : b_x_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_26 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_25 : mul_f24_ftz_unit_copy3_a_choice_25;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_27 = mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_24 : mul_f24_ftz_unit_copy3_a_choice_26;
+    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_28 = mul_f24_ftz_unit_copy3_phase[3] ? mul_f24_ftz_unit_copy3_a_choice_21 : mul_f24_ftz_unit_copy3_a_choice_27;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_phase_copy4[0] ? 6'd15 : r_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? mx_joined_d1_copy2[23:18] : add_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_5 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice_3 : mul_f24_ftz_unit_copy3_b_choice_4;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_6 = mul_f24_ftz_unit_copy3_phase_copy4[2] ? mul_f24_ftz_unit_copy3_b_choice_2 : mul_f24_ftz_unit_copy3_b_choice_5;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_7 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? sqrt_f24_ftz_unit_y[23:18] : r_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_8 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : t_y_sum_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_9 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice_7 : mul_f24_ftz_unit_copy3_b_choice_8;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_10 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? b_y_d1[23:18] : b_y_d1[23:18];
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_11 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice_10 : mul_f24_ftz_unit_copy3_b_choice_10;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_12 = mul_f24_ftz_unit_copy3_phase_copy4[2] ? mul_f24_ftz_unit_copy3_b_choice_9 : mul_f24_ftz_unit_copy3_b_choice_11;
+    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_13 = mul_f24_ftz_unit_copy3_phase_copy4[3] ? mul_f24_ftz_unit_copy3_b_choice_6 : mul_f24_ftz_unit_copy3_b_choice_12;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_14 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_15 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_14 : mul_f24_ftz_unit_copy3_phase_copy3[0] ? 18'h3b600 : r_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_16 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_17 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? mx_joined_d1_copy2[17:0] : add_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_18 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_16 : mul_f24_ftz_unit_copy3_b_choice_17;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_19 = mul_f24_ftz_unit_copy3_phase_copy3[2] ? mul_f24_ftz_unit_copy3_b_choice_15 : mul_f24_ftz_unit_copy3_b_choice_18;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_20 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? sqrt_f24_ftz_unit_y[17:0] : r_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_21 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : t_y_sum_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_22 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_20 : mul_f24_ftz_unit_copy3_b_choice_21;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_23 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? b_y_d1[17:0] : b_y_d1[17:0];
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_24 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_23 : mul_f24_ftz_unit_copy3_b_choice_23;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_25 = mul_f24_ftz_unit_copy3_phase_copy3[2] ? mul_f24_ftz_unit_copy3_b_choice_22 : mul_f24_ftz_unit_copy3_b_choice_24;
+    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_26 = mul_f24_ftz_unit_copy3_phase_copy3[3] ? mul_f24_ftz_unit_copy3_b_choice_19 : mul_f24_ftz_unit_copy3_b_choice_25;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:21] : mul_f24_ftz_unit_copy3_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? scale_y[23:21] : beta_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:21] : unit_delta_joined_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_5 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? unit_delta_joined_d1_copy3[23:21] : unit_delta_joined_d1_copy2[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_6 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice_4 : mul_f24_ftz_unit_copy4_a_choice_5;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_7 = mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_a_choice_3 : mul_f24_ftz_unit_copy4_a_choice_6;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_8 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? f_d1[23:21] : center_y_d2[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_9 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? center_y_d2[23:21] : recip_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_10 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice_8 : mul_f24_ftz_unit_copy4_a_choice_9;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_11 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? recip_f24_ftz_unit_y[23:21] : recip_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_12 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice_11 : mul_f24_ftz_unit_copy4_a_choice_11;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_13 = mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_a_choice_10 : mul_f24_ftz_unit_copy4_a_choice_12;
+    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_14 = mul_f24_ftz_unit_copy4_phase_copy2[3] ? mul_f24_ftz_unit_copy4_a_choice_7 : mul_f24_ftz_unit_copy4_a_choice_13;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_15 = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y[20:0] : mul_f24_ftz_unit_copy3_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_16 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_15 : mul_f24_ftz_unit_copy4_phase[0] ? scale_y[20:0] : beta_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_17 = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y[20:0] : unit_delta_joined_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_18 = mul_f24_ftz_unit_copy4_phase[0] ? unit_delta_joined_d1_copy3[20:0] : unit_delta_joined_d1_copy2[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_19 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_17 : mul_f24_ftz_unit_copy4_a_choice_18;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_20 = mul_f24_ftz_unit_copy4_phase[2] ? mul_f24_ftz_unit_copy4_a_choice_16 : mul_f24_ftz_unit_copy4_a_choice_19;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_21 = mul_f24_ftz_unit_copy4_phase[0] ? center_y_d2[20:0] : recip_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_22 = mul_f24_ftz_unit_copy4_phase[1] ? (mul_f24_ftz_unit_copy4_phase[0] ? f_d1[20:0] : center_y_d2[20:0]) : mul_f24_ftz_unit_copy4_a_choice_21;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_23 = mul_f24_ftz_unit_copy4_phase[0] ? recip_f24_ftz_unit_y[20:0] : recip_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_24 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_23 : mul_f24_ftz_unit_copy4_a_choice_23;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_25 = mul_f24_ftz_unit_copy4_phase[2] ? mul_f24_ftz_unit_copy4_a_choice_22 : mul_f24_ftz_unit_copy4_a_choice_24;
+    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_26 = mul_f24_ftz_unit_copy4_phase[3] ? mul_f24_ftz_unit_copy4_a_choice_20 : mul_f24_ftz_unit_copy4_a_choice_25;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:21] : mul_f24_ftz_unit_copy3_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? v_y_d1[23:21] : v_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y[23:21] : mx_joined_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_5 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mx_joined_d1_copy2[23:21] : mx_joined_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_6 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice_4 : mul_f24_ftz_unit_copy4_b_choice_5;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_7 = mul_f24_ftz_unit_copy4_phase_copy4[2] ? mul_f24_ftz_unit_copy4_b_choice_3 : mul_f24_ftz_unit_copy4_b_choice_6;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_8 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? first_sum_sum_d1_copy2[23:21] : recip_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_9 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? recip_f24_ftz_unit_y[23:21] : a_y_squared_plus_b_y_squared_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_10 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice_8 : mul_f24_ftz_unit_copy4_b_choice_9;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_11 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? a_y_squared_plus_b_y_squared_d1[23:21] : a_y_squared_plus_b_y_squared_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_12 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice_11 : mul_f24_ftz_unit_copy4_b_choice_11;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_13 = mul_f24_ftz_unit_copy4_phase_copy4[2] ? mul_f24_ftz_unit_copy4_b_choice_10 : mul_f24_ftz_unit_copy4_b_choice_12;
+    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_14 = mul_f24_ftz_unit_copy4_phase_copy4[3] ? mul_f24_ftz_unit_copy4_b_choice_7 : mul_f24_ftz_unit_copy4_b_choice_13;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_15 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[20:0] : mul_f24_ftz_unit_copy3_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_16 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? v_y_d1[20:0] : v_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_17 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_15 : mul_f24_ftz_unit_copy4_b_choice_16;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_18 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[20:0] : mx_joined_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_19 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mx_joined_d1_copy2[20:0] : mx_joined_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_20 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_18 : mul_f24_ftz_unit_copy4_b_choice_19;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_21 = mul_f24_ftz_unit_copy4_phase_copy3[2] ? mul_f24_ftz_unit_copy4_b_choice_17 : mul_f24_ftz_unit_copy4_b_choice_20;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_22 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? first_sum_sum_d1_copy2[20:0] : recip_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_23 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? recip_f24_ftz_unit_y[20:0] : a_y_squared_plus_b_y_squared_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_24 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_22 : mul_f24_ftz_unit_copy4_b_choice_23;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_25 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? a_y_squared_plus_b_y_squared_d1[20:0] : a_y_squared_plus_b_y_squared_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_26 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_25 : mul_f24_ftz_unit_copy4_b_choice_25;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_27 = mul_f24_ftz_unit_copy4_phase_copy3[2] ? mul_f24_ftz_unit_copy4_b_choice_24 : mul_f24_ftz_unit_copy4_b_choice_26;
+    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_28 = mul_f24_ftz_unit_copy4_phase_copy3[3] ? mul_f24_ftz_unit_copy4_b_choice_21 : mul_f24_ftz_unit_copy4_b_choice_27;
+    wire [7:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase_copy2[0] ? mx_product_d1[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? depth_a[23:16] : center_x_minus_t_x_d2[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+    wire [7:0] add_f24_ftz_unit_a_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? h_x_d1[23:16] : add_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? unit_delta_product_d1[23:16] : 8'd63;
+    wire [7:0] add_f24_ftz_unit_a_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
+    wire [7:0] add_f24_ftz_unit_a_choice_7 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
+    wire [7:0] add_f24_ftz_unit_a_choice_8 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_9 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_10 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_8 : add_f24_ftz_unit_a_choice_9;
+    wire [7:0] add_f24_ftz_unit_a_choice_11 = add_f24_ftz_unit_phase_copy2[0] ? center_depth_d1[23:16] : origin_x[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_12 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_11 : add_f24_ftz_unit_a_choice_9;
+    wire [7:0] add_f24_ftz_unit_a_choice_13 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_10 : add_f24_ftz_unit_a_choice_12;
+    wire [7:0] add_f24_ftz_unit_a_choice_14 = add_f24_ftz_unit_phase_copy2[3] ? add_f24_ftz_unit_a_choice_7 : add_f24_ftz_unit_a_choice_13;
+    wire [15:0] add_f24_ftz_unit_a_choice_15 = add_f24_ftz_unit_phase[0] ? mx_product_d1[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_16 = add_f24_ftz_unit_phase[0] ? depth_a[15:0] : center_x_minus_t_x_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_17 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_15 : add_f24_ftz_unit_a_choice_16;
+    wire [15:0] add_f24_ftz_unit_a_choice_18 = add_f24_ftz_unit_phase[0] ? h_x_d1[15:0] : add_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_19 = add_f24_ftz_unit_phase[0] ? unit_delta_product_d1[15:0] : 16'h8000;
+    wire [15:0] add_f24_ftz_unit_a_choice_20 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_18 : add_f24_ftz_unit_a_choice_19;
+    wire [15:0] add_f24_ftz_unit_a_choice_21 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_17 : add_f24_ftz_unit_a_choice_20;
+    wire [15:0] add_f24_ftz_unit_a_choice_22 = add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_23 = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_24 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_22 : add_f24_ftz_unit_a_choice_23;
+    wire [15:0] add_f24_ftz_unit_a_choice_25 = add_f24_ftz_unit_phase[0] ? center_depth_d1[15:0] : origin_x[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_26 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_25 : add_f24_ftz_unit_a_choice_23;
+    wire [15:0] add_f24_ftz_unit_a_choice_27 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_24 : add_f24_ftz_unit_a_choice_26;
+    wire [15:0] add_f24_ftz_unit_a_choice_28 = add_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_a_choice_21 : add_f24_ftz_unit_a_choice_27;
+    wire [7:0] add_f24_ftz_unit_b_bits = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_b_bits : epsilon_bias[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy4[0] ? b_depth_d2[23:16] : {~h_x_d1[23], h_x_d1[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+    wire [7:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy4[0] ? center_x_minus_t_x_d2[23:16] : {~spread_half_d1[23], spread_half_d1[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy4[0] ? minus_unit_delta_product_d1[23:16] : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
+    wire [7:0] add_f24_ftz_unit_b_choice_7 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
+    wire [7:0] add_f24_ftz_unit_b_choice_8 = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:16] : mul_f24_ftz_unit_copy3_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_9 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_10 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_8 : add_f24_ftz_unit_b_choice_9;
+    wire [7:0] add_f24_ftz_unit_b_choice_11 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_12 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:16] : h_x_product_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_13 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_11 : add_f24_ftz_unit_b_choice_12;
+    wire [7:0] add_f24_ftz_unit_b_choice_14 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_10 : add_f24_ftz_unit_b_choice_13;
+    wire [7:0] add_f24_ftz_unit_b_choice_15 = add_f24_ftz_unit_phase_copy4[3] ? add_f24_ftz_unit_b_choice_7 : add_f24_ftz_unit_b_choice_14;
+    wire [15:0] add_f24_ftz_unit_b_choice_16 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[15:0] : epsilon_bias[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_17 = add_f24_ftz_unit_phase_copy3[0] ? b_depth_d2[15:0] : h_x_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_18 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_16 : add_f24_ftz_unit_b_choice_17;
+    wire [15:0] add_f24_ftz_unit_b_choice_19 = add_f24_ftz_unit_phase_copy3[0] ? center_x_minus_t_x_d2[15:0] : spread_half_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_20 = add_f24_ftz_unit_phase_copy3[0] ? minus_unit_delta_product_d1[15:0] : add_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_21 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_19 : add_f24_ftz_unit_b_choice_20;
+    wire [15:0] add_f24_ftz_unit_b_choice_22 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_18 : add_f24_ftz_unit_b_choice_21;
+    wire [15:0] add_f24_ftz_unit_b_choice_23 = add_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[15:0] : mul_f24_ftz_unit_copy3_y[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_24 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_25 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_23 : add_f24_ftz_unit_b_choice_24;
+    wire [15:0] add_f24_ftz_unit_b_choice_26 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_27 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[15:0] : h_x_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_28 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_26 : add_f24_ftz_unit_b_choice_27;
+    wire [15:0] add_f24_ftz_unit_b_choice_29 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_25 : add_f24_ftz_unit_b_choice_28;
+    wire [15:0] add_f24_ftz_unit_b_choice_30 = add_f24_ftz_unit_phase_copy3[3] ? add_f24_ftz_unit_b_choice_22 : add_f24_ftz_unit_b_choice_29;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? center_x_d3[23:16] : my_product_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? center_y_minus_t_y_d2[23:16] : sqrt_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? filter_radius[23:16] : center_x_d3[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_d2[23:16] : middle_depth_d2[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_4 : add_f24_ftz_unit_copy2_a_choice_5;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_7 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_6;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_8 = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_copy3_y[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_9 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy3_y[23:16] : mul_f24_ftz_unit_copy3_y[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_10 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_8 : add_f24_ftz_unit_copy2_a_choice_9;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_11 = add_f24_ftz_unit_copy2_phase_copy2[0] ? origin_y[23:16] : tangent1_y_times_r_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_12 = add_f24_ftz_unit_copy2_phase_copy2[0] ? tangent1_x_times_r_d1[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_13 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_11 : add_f24_ftz_unit_copy2_a_choice_12;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_14 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_10 : add_f24_ftz_unit_copy2_a_choice_13;
+    wire [7:0] add_f24_ftz_unit_copy2_a_choice_15 = add_f24_ftz_unit_copy2_phase_copy2[3] ? add_f24_ftz_unit_copy2_a_choice_7 : add_f24_ftz_unit_copy2_a_choice_14;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_16 = add_f24_ftz_unit_copy2_phase[0] ? center_x_d3[15:0] : my_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_17 = add_f24_ftz_unit_copy2_phase[0] ? center_y_minus_t_y_d2[15:0] : sqrt_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_18 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_16 : add_f24_ftz_unit_copy2_a_choice_17;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_19 = add_f24_ftz_unit_copy2_phase[0] ? filter_radius[15:0] : center_x_d3[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_20 = add_f24_ftz_unit_copy2_phase[0] ? middle_depth_d2[15:0] : middle_depth_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_21 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_19 : add_f24_ftz_unit_copy2_a_choice_20;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_22 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_18 : add_f24_ftz_unit_copy2_a_choice_21;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_23 = add_f24_ftz_unit_copy2_phase[0] ? add_f24_ftz_unit_copy3_y[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_24 = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy3_y[15:0] : mul_f24_ftz_unit_copy3_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_25 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_23 : add_f24_ftz_unit_copy2_a_choice_24;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_26 = add_f24_ftz_unit_copy2_phase[0] ? origin_y[15:0] : tangent1_y_times_r_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_27 = add_f24_ftz_unit_copy2_phase[0] ? tangent1_x_times_r_d1[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_28 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_26 : add_f24_ftz_unit_copy2_a_choice_27;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_29 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_25 : add_f24_ftz_unit_copy2_a_choice_28;
+    wire [15:0] add_f24_ftz_unit_copy2_a_choice_30 = add_f24_ftz_unit_copy2_phase[3] ? add_f24_ftz_unit_copy2_a_choice_22 : add_f24_ftz_unit_copy2_a_choice_29;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy4[0] ? {~filter_radius[23], filter_radius[22:16]} : minus_my_product_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy4[0] ? minus_h_y_d1[23:16] : center_y_minus_t_y_d2[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [7:0] add_f24_ftz_unit_copy2_b_bits = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:16]};
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy4[0] ? center_x_d3[23:16] : add_f24_ftz_unit_copy2_b_bits;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy4[0] ? epsilon_d1[23:16] : {~epsilon_d1[23], epsilon_d1[22:16]};
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_7 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_8 = add_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_copy3_y[23:16] : first_sum_sum_d1_copy3[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_9 = add_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy4_y[23:16] : mul_f24_ftz_unit_copy4_y[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_10 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_8 : add_f24_ftz_unit_copy2_b_choice_9;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_11 = add_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy4_y[23:16] : add_f24_ftz_unit_copy2_b_bits;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_12 = add_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_b_bits : h_y_product_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_13 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_11 : add_f24_ftz_unit_copy2_b_choice_12;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_14 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_10 : add_f24_ftz_unit_copy2_b_choice_13;
+    wire [7:0] add_f24_ftz_unit_copy2_b_choice_15 = add_f24_ftz_unit_copy2_phase_copy4[3] ? add_f24_ftz_unit_copy2_b_choice_7 : add_f24_ftz_unit_copy2_b_choice_14;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_16 = add_f24_ftz_unit_copy2_phase_copy3[0] ? filter_radius[15:0] : minus_my_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_17 = add_f24_ftz_unit_copy2_phase_copy3[0] ? minus_h_y_d1[15:0] : center_y_minus_t_y_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_18 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_16 : add_f24_ftz_unit_copy2_b_choice_17;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_19 = add_f24_ftz_unit_copy2_phase_copy3[0] ? center_x_d3[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_20 = add_f24_ftz_unit_copy2_phase_copy3[0] ? epsilon_d1[15:0] : epsilon_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_21 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_19 : add_f24_ftz_unit_copy2_b_choice_20;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_22 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_18 : add_f24_ftz_unit_copy2_b_choice_21;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_23 = add_f24_ftz_unit_copy2_phase_copy3[0] ? add_f24_ftz_unit_copy3_y[15:0] : first_sum_sum_d1_copy3[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_24 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy4_y[15:0] : mul_f24_ftz_unit_copy4_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_25 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_23 : add_f24_ftz_unit_copy2_b_choice_24;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_26 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy4_y[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_27 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[15:0] : h_y_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_28 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_26 : add_f24_ftz_unit_copy2_b_choice_27;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_29 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_25 : add_f24_ftz_unit_copy2_b_choice_28;
+    wire [15:0] add_f24_ftz_unit_copy2_b_choice_30 = add_f24_ftz_unit_copy2_phase_copy3[3] ? add_f24_ftz_unit_copy2_b_choice_22 : add_f24_ftz_unit_copy2_b_choice_29;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? filter_radius[23:18] : t_x_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[0] ? {~filter_radius[23], filter_radius[22:18]} : center_y_d2_copy2[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[0] ? center_y_d2_copy2[23:18] : center_y_d2_copy2[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_d1[23:18] : root_of_first_difference_sum_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_6 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_5;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_7 = add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_a_choice_3 : add_f24_ftz_unit_copy3_a_choice_6;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_8 = add_f24_ftz_unit_copy3_phase_copy2[0] ? root_of_first_difference_sum_d1[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_9 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_minus_t_y_d3[23:18] : root_of_first_sum_sum_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_10 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice_8 : add_f24_ftz_unit_copy3_a_choice_9;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_11 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_plus_t_y_d3[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_12 = add_f24_ftz_unit_copy3_phase_copy2[0] ? tangent2_x_times_r_d1[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_13 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice_11 : add_f24_ftz_unit_copy3_a_choice_12;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_14 = add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_a_choice_10 : add_f24_ftz_unit_copy3_a_choice_13;
+    wire [5:0] add_f24_ftz_unit_copy3_a_choice_15 = add_f24_ftz_unit_copy3_phase_copy2[3] ? add_f24_ftz_unit_copy3_a_choice_7 : add_f24_ftz_unit_copy3_a_choice_14;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_16 = add_f24_ftz_unit_copy3_phase[0] ? filter_radius[17:0] : t_x_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_17 = add_f24_ftz_unit_copy3_phase[0] ? filter_radius[17:0] : center_y_d2_copy2[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_18 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_16 : add_f24_ftz_unit_copy3_a_choice_17;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_19 = add_f24_ftz_unit_copy3_phase[0] ? center_y_d2_copy2[17:0] : center_y_d2_copy2[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_20 = add_f24_ftz_unit_copy3_phase[0] ? t_x_d1[17:0] : root_of_first_difference_sum_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_21 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_19 : add_f24_ftz_unit_copy3_a_choice_20;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_22 = add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_18 : add_f24_ftz_unit_copy3_a_choice_21;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_23 = add_f24_ftz_unit_copy3_phase[0] ? root_of_first_difference_sum_d1[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_24 = add_f24_ftz_unit_copy3_phase[0] ? t_x_minus_t_y_d3[17:0] : root_of_first_sum_sum_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_25 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_23 : add_f24_ftz_unit_copy3_a_choice_24;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_26 = add_f24_ftz_unit_copy3_phase[0] ? t_x_plus_t_y_d3[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_27 = add_f24_ftz_unit_copy3_phase[0] ? tangent2_x_times_r_d1[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_28 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_26 : add_f24_ftz_unit_copy3_a_choice_27;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_29 = add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_25 : add_f24_ftz_unit_copy3_a_choice_28;
+    wire [17:0] add_f24_ftz_unit_copy3_a_choice_30 = add_f24_ftz_unit_copy3_phase[3] ? add_f24_ftz_unit_copy3_a_choice_22 : add_f24_ftz_unit_copy3_a_choice_29;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy4[0] ? center_y_d2_copy2[23:18] : t_y_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_b_bits = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy4[0] ? center_y_d2_copy2[23:18] : add_f24_ftz_unit_copy3_b_bits;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy4[0] ? add_f24_ftz_unit_copy3_b_bits : add_f24_ftz_unit_copy3_b_bits;
+    wire [5:0] add_f24_ftz_unit_copy3_b_bits_2 = {~t_x_minus_t_y_d3[23], t_x_minus_t_y_d3[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy4[0] ? minus_t_y_d1[23:18] : add_f24_ftz_unit_copy3_b_bits_2;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_6 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_5;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_7 = add_f24_ftz_unit_copy3_phase_copy4[2] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_6;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_8 = add_f24_ftz_unit_copy3_phase_copy4[0] ? add_f24_ftz_unit_copy3_b_bits_2 : {~first_sum_sum_d1_copy3[23], first_sum_sum_d1_copy3[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_9 = add_f24_ftz_unit_copy3_phase_copy4[0] ? root_of_first_difference_sum_d1[23:18] : {~t_x_plus_t_y_d3[23], t_x_plus_t_y_d3[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_10 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice_8 : add_f24_ftz_unit_copy3_b_choice_9;
+    wire [5:0] add_f24_ftz_unit_copy3_b_bits_3 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_11 = add_f24_ftz_unit_copy3_phase_copy4[0] ? root_of_first_sum_sum_d1[23:18] : add_f24_ftz_unit_copy3_b_bits_3;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_12 = add_f24_ftz_unit_copy3_phase_copy4[0] ? add_f24_ftz_unit_copy3_b_bits_3 : f_times_first_sum_sum_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_13 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice_11 : add_f24_ftz_unit_copy3_b_choice_12;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_14 = add_f24_ftz_unit_copy3_phase_copy4[2] ? add_f24_ftz_unit_copy3_b_choice_10 : add_f24_ftz_unit_copy3_b_choice_13;
+    wire [5:0] add_f24_ftz_unit_copy3_b_choice_15 = add_f24_ftz_unit_copy3_phase_copy4[3] ? add_f24_ftz_unit_copy3_b_choice_7 : add_f24_ftz_unit_copy3_b_choice_14;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_16 = add_f24_ftz_unit_copy3_phase_copy3[0] ? center_y_d2_copy2[17:0] : t_y_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_17 = add_f24_ftz_unit_copy3_phase_copy3[0] ? center_y_d2_copy2[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_18 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_16 : add_f24_ftz_unit_copy3_b_choice_17;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_19 = add_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_20 = add_f24_ftz_unit_copy3_phase_copy3[0] ? minus_t_y_d1[17:0] : t_x_minus_t_y_d3[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_21 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_19 : add_f24_ftz_unit_copy3_b_choice_20;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_22 = add_f24_ftz_unit_copy3_phase_copy3[2] ? add_f24_ftz_unit_copy3_b_choice_18 : add_f24_ftz_unit_copy3_b_choice_21;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_23 = add_f24_ftz_unit_copy3_phase_copy3[0] ? t_x_minus_t_y_d3[17:0] : first_sum_sum_d1_copy3[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_24 = add_f24_ftz_unit_copy3_phase_copy3[0] ? root_of_first_difference_sum_d1[17:0] : t_x_plus_t_y_d3[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_25 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_23 : add_f24_ftz_unit_copy3_b_choice_24;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_26 = add_f24_ftz_unit_copy3_phase_copy3[0] ? root_of_first_sum_sum_d1[17:0] : mul_f24_ftz_unit_copy4_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_27 = add_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_copy4_y[17:0] : f_times_first_sum_sum_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_28 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_26 : add_f24_ftz_unit_copy3_b_choice_27;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_29 = add_f24_ftz_unit_copy3_phase_copy3[2] ? add_f24_ftz_unit_copy3_b_choice_25 : add_f24_ftz_unit_copy3_b_choice_28;
+    wire [17:0] add_f24_ftz_unit_copy3_b_choice_30 = add_f24_ftz_unit_copy3_phase_copy3[3] ? add_f24_ftz_unit_copy3_b_choice_22 : add_f24_ftz_unit_copy3_b_choice_29;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy2_y : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = sqrt_f24_ftz_unit_phase[1] ? first_difference_sum_d1 : sqrt_f24_ftz_unit_a_choice;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_3 = sqrt_f24_ftz_unit_phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_y;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_4 = sqrt_f24_ftz_unit_phase[1] ? t_y_squared_plus_h_y_product_d1 : sqrt_f24_ftz_unit_a_choice_3;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_5 = sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice_2 : sqrt_f24_ftz_unit_a_choice_4;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_6 = sqrt_f24_ftz_unit_phase[1] ? (sqrt_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : q_d1) : q_d1;
+    wire [23:0] le_f24_ftz_unit_a_choice = le_f24_ftz_unit_phase[0] ? 24'd0 : 24'd0;
+    wire [23:0] le_f24_ftz_unit_a_choice_2 = le_f24_ftz_unit_phase[1] ? center_depth_d2 : le_f24_ftz_unit_a_choice;
+    wire [23:0] le_f24_ftz_unit_a_choice_3 = le_f24_ftz_unit_phase[1] ? le_f24_ftz_unit_a_choice : le_f24_ftz_unit_a_choice;
+    wire [23:0] le_f24_ftz_unit_a_choice_4 = le_f24_ftz_unit_phase[2] ? le_f24_ftz_unit_a_choice_2 : le_f24_ftz_unit_a_choice_3;
+    wire [23:0] le_f24_ftz_unit_a_choice_5 = le_f24_ftz_unit_phase[2] ? le_f24_ftz_unit_a_choice_3 : le_f24_ftz_unit_a_choice_3;
+    wire [23:0] le_f24_ftz_unit_b_choice = le_f24_ftz_unit_phase[1] ? (le_f24_ftz_unit_phase[0] ? 24'h3f8000 : 24'h3f8000) : add_f24_ftz_unit_y;
+    wire [23:0] le_f24_ftz_unit_b_choice_2 = le_f24_ftz_unit_phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice = min_f24_ftz_unit_phase[0] ? 24'h470000 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[0] ? 24'h45fff8 : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_a_choice_3 = min_f24_ftz_unit_phase[1] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+    wire [23:0] min_f24_ftz_unit_a_choice_4 = min_f24_ftz_unit_phase[1] ? min_f24_ftz_unit_a_choice_2 : min_f24_ftz_unit_a_choice_2;
+    wire [23:0] min_f24_ftz_unit_a_choice_5 = min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice_3 : min_f24_ftz_unit_a_choice_4;
+    wire [23:0] min_f24_ftz_unit_a_choice_6 = min_f24_ftz_unit_phase[0] ? max_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_7 = min_f24_ftz_unit_phase[1] ? min_f24_ftz_unit_a_choice_2 : min_f24_ftz_unit_a_choice_6;
+    wire [23:0] min_f24_ftz_unit_a_choice_8 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : min_f24_ftz_unit_a_choice;
+    wire [23:0] min_f24_ftz_unit_a_choice_9 = min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice_7 : min_f24_ftz_unit_a_choice_8;
+    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[0] ? last_sum_greater_d1 : first_sum_greater_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[0] ? 24'h45fff8 : center_y_minus_filter_radius_d3;
+    wire [23:0] min_f24_ftz_unit_b_choice_5 = min_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_4;
+    wire [23:0] min_f24_ftz_unit_b_choice_6 = min_f24_ftz_unit_phase_copy2[0] ? center_x_minus_filter_radius_d2 : abs_b_depth_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_7 = min_f24_ftz_unit_phase_copy2[0] ? max_f24_ftz_unit_y : first_difference_greater_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_8 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice_6 : min_f24_ftz_unit_b_choice_7;
+    wire [23:0] min_f24_ftz_unit_b_choice_9 = min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_5 : min_f24_ftz_unit_b_choice_8;
+    wire [5:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : first_sum_product_d1[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase_copy2[0] ? first_sum_product_d1[23:18] : first_sum_product_d1[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_a_choice_2;
+    wire [5:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : 6'd0;
+    wire [5:0] max_f24_ftz_unit_a_choice_5 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
+    wire [5:0] max_f24_ftz_unit_a_choice_6 = max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_a_choice_3 : max_f24_ftz_unit_a_choice_5;
+    wire [5:0] max_f24_ftz_unit_a_choice_7 = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : add_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_8 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_4 : max_f24_ftz_unit_a_choice_7;
+    wire [5:0] max_f24_ftz_unit_a_choice_9 = max_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_y[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_10 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_9 : max_f24_ftz_unit_a_choice_4;
+    wire [5:0] max_f24_ftz_unit_a_choice_11 = max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_a_choice_8 : max_f24_ftz_unit_a_choice_10;
+    wire [5:0] max_f24_ftz_unit_a_choice_12 = max_f24_ftz_unit_phase_copy2[3] ? max_f24_ftz_unit_a_choice_6 : max_f24_ftz_unit_a_choice_11;
+    wire [17:0] max_f24_ftz_unit_a_choice_13 = max_f24_ftz_unit_phase[0] ? first_sum_product_d1[17:0] : first_sum_product_d1[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_14 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? 18'd0 : first_sum_product_d1[17:0]) : max_f24_ftz_unit_a_choice_13;
+    wire [17:0] max_f24_ftz_unit_a_choice_15 = max_f24_ftz_unit_phase[0] ? 18'd0 : 18'd0;
+    wire [17:0] max_f24_ftz_unit_a_choice_16 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_13 : max_f24_ftz_unit_a_choice_15;
+    wire [17:0] max_f24_ftz_unit_a_choice_17 = max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_14 : max_f24_ftz_unit_a_choice_16;
+    wire [17:0] max_f24_ftz_unit_a_choice_18 = max_f24_ftz_unit_phase[0] ? 18'd0 : add_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_19 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_15 : max_f24_ftz_unit_a_choice_18;
+    wire [17:0] max_f24_ftz_unit_a_choice_20 = max_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_y[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_21 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_20 : max_f24_ftz_unit_a_choice_15;
+    wire [17:0] max_f24_ftz_unit_a_choice_22 = max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_19 : max_f24_ftz_unit_a_choice_21;
+    wire [17:0] max_f24_ftz_unit_a_choice_23 = max_f24_ftz_unit_phase[3] ? max_f24_ftz_unit_a_choice_17 : max_f24_ftz_unit_a_choice_22;
+    wire [5:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy3_y[23:18] : add_f24_ftz_unit_copy3_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_3 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
+    wire [5:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy4[0] ? min_f24_ftz_unit_y[23:18] : min_f24_ftz_unit_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_5 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
+    wire [5:0] max_f24_ftz_unit_b_choice_6 = max_f24_ftz_unit_phase_copy4[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
+    wire [5:0] max_f24_ftz_unit_b_choice_7 = max_f24_ftz_unit_phase_copy4[0] ? middle_depth_d1[23:18] : filter_radius_plus_center_y_d3[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_8 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_4 : max_f24_ftz_unit_b_choice_7;
+    wire [5:0] max_f24_ftz_unit_b_choice_9 = max_f24_ftz_unit_phase_copy4[0] ? filter_radius_plus_center_y_d3[23:18] : filter_radius_plus_center_x_d2[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_10 = max_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_11 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_9 : max_f24_ftz_unit_b_choice_10;
+    wire [5:0] max_f24_ftz_unit_b_choice_12 = max_f24_ftz_unit_phase_copy4[2] ? max_f24_ftz_unit_b_choice_8 : max_f24_ftz_unit_b_choice_11;
+    wire [5:0] max_f24_ftz_unit_b_choice_13 = max_f24_ftz_unit_phase_copy4[3] ? max_f24_ftz_unit_b_choice_6 : max_f24_ftz_unit_b_choice_12;
+    wire [17:0] max_f24_ftz_unit_b_choice_14 = max_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_15 = max_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy3_y[17:0] : add_f24_ftz_unit_copy3_y[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_16 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_14 : max_f24_ftz_unit_b_choice_15;
+    wire [17:0] max_f24_ftz_unit_b_choice_17 = max_f24_ftz_unit_phase_copy3[0] ? min_f24_ftz_unit_y[17:0] : min_f24_ftz_unit_y[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_18 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_15 : max_f24_ftz_unit_b_choice_17;
+    wire [17:0] max_f24_ftz_unit_b_choice_19 = max_f24_ftz_unit_phase_copy3[2] ? max_f24_ftz_unit_b_choice_16 : max_f24_ftz_unit_b_choice_18;
+    wire [17:0] max_f24_ftz_unit_b_choice_20 = max_f24_ftz_unit_phase_copy3[0] ? middle_depth_d1[17:0] : filter_radius_plus_center_y_d3[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_21 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_17 : max_f24_ftz_unit_b_choice_20;
+    wire [17:0] max_f24_ftz_unit_b_choice_22 = max_f24_ftz_unit_phase_copy3[0] ? filter_radius_plus_center_y_d3[17:0] : filter_radius_plus_center_x_d2[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_23 = max_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_24 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_22 : max_f24_ftz_unit_b_choice_23;
+    wire [17:0] max_f24_ftz_unit_b_choice_25 = max_f24_ftz_unit_phase_copy3[2] ? max_f24_ftz_unit_b_choice_21 : max_f24_ftz_unit_b_choice_24;
+    wire [17:0] max_f24_ftz_unit_b_choice_26 = max_f24_ftz_unit_phase_copy3[3] ? max_f24_ftz_unit_b_choice_19 : max_f24_ftz_unit_b_choice_25;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = to_fixed_f24_ftz_s22q8_unit_phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice_2 = to_fixed_f24_ftz_s22q8_unit_phase[2] ? add_f24_ftz_unit_copy2_y : to_fixed_f24_ftz_s22q8_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice = to_fixed_f24_ftz_s29q15_unit_phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice_2 = to_fixed_f24_ftz_s29q15_unit_phase[2] ? add_f24_ftz_unit_copy2_y : to_fixed_f24_ftz_s29q15_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = to_fixed_f24_ftz_s19q18_unit_phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = to_fixed_f24_ftz_s19q18_unit_phase[1] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = to_fixed_f24_ftz_s19q18_unit_phase[2] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice_2;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = to_fixed_f24_ftz_s19q18_unit_phase[0] ? ay_out_joined_d1 : bx_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_5 = to_fixed_f24_ftz_s19q18_unit_phase[1] ? to_fixed_f24_ftz_s19q18_unit_a_choice_4 : ax_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_6 = to_fixed_f24_ftz_s19q18_unit_phase[2] ? to_fixed_f24_ftz_s19q18_unit_a_choice_5 : ax_out_joined_d1;
     wire [27:0] center_y_out = placed_d1 ? center_y_out_lesser_d1 : 28'h8000000;
     wire [27:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 28'h8000000;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
@@ -5376,136 +6936,124 @@ module splat_setup (
     wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
     wire [26:0] first_sum_sum_copy2 = first_difference_difference_bits + first_difference_difference_bits_2;
 
-    assign in_ready = load_0;
+    assign {out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay} = queue_1_out_data;
+    assign {out_by, out_delta, out_mx, out_my, out_shift, out_depth, out_depth_low} = queue_2_out_data;
     assign {
-        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
-        out_first_difference, out_last_difference
-    } = queue_out_data;
-
-    stream_skid_w371 queue (
-        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
-        .in_data({
-            end_d10, center_x_out_d7, center_y_out_d7, ax_out, bx_out, ay_out, by_out, delta_out, mx_out, my_out,
-            shift_d2, depth_out_d4, depth_low_out_d2, depth_high_out_d2, attribute_0_d10, attribute_1_d10,
-            attribute_2_d10, first_x_d3, last_x_d2, first_y_d3, last_y_d2, first_sum_d1[7:0], last_sum_out_d1,
-            first_difference_d1[7:0], last_difference_out_d1
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left, out_right, out_top,
+        out_bottom, out_first_sum, out_last_sum, out_first_difference
+    } = queue_3_out_data;
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
     float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
-        .y(le_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b), .y(le_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
-        .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b), .y(min_f24_ftz_unit_y)
     );
 
     float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
-        .y(max_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b), .y(max_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
-        .y(to_fixed_f24_ftz_u21q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u21q8_unit_a), .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_f24_ftz_u23q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u23q8_unit_a),
-        .y(to_fixed_f24_ftz_u23q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u23q8_unit_a), .y(to_fixed_f24_ftz_u23q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_f24_ftz_s22q8_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s22q8_unit_a),
-        .y(to_fixed_f24_ftz_s22q8_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_s22q8_unit_a), .y(to_fixed_f24_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w29_f15_signed to_fixed_f24_ftz_s29q15_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s29q15_unit_a),
-        .y(to_fixed_f24_ftz_s29q15_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_s29q15_unit_a), .y(to_fixed_f24_ftz_s29q15_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w19_f18_signed to_fixed_f24_ftz_s19q18_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s19q18_unit_a),
-        .y(to_fixed_f24_ftz_s19q18_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_s19q18_unit_a), .y(to_fixed_f24_ftz_s19q18_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w23_f22_signed to_fixed_f24_ftz_s23q22_unit (
-        .clk(clk), .enable(queue_in_ready), .a(vanishes_joined_d1), .y(to_fixed_f24_ftz_s23q22_unit_y)
+        .clk(clk), .enable(1'd1), .a(vanishes_joined_d1), .y(to_fixed_f24_ftz_s23q22_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
-        .y(to_fixed_f24_ftz_u24q24_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u24q24_unit_a), .y(to_fixed_f24_ftz_u24q24_unit_y)
+    );
+
+    stream_fifo_d11_w111_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d10, center_x_out_d7, center_y_out_d7, ax_out, bx_out, ay_out}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d11_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({by_out, delta_out, mx_out, my_out, shift_d2, depth_out_d4, depth_low_out_d2}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d11_w124_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
+        .in_data({
+            depth_high_out_d2, attribute_0_d10, attribute_1_d10, attribute_2_d10, first_x_d3, last_x_d2,
+            first_y_d3, last_y_d2, first_sum_d1[7:0], last_sum_out_d1, first_difference_d1[7:0]
+        }),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
+    );
+
+    stream_fifo_d11_w8_distributed queue_4 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready), .in_data(last_difference_out_d1),
+        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(out_last_difference)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 4'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_5 <= 1'd0;
-            load_6 <= 1'd0;
-            load_7 <= 1'd0;
-            load_8 <= 1'd0;
-            load_9 <= 1'd0;
-            load_10 <= 1'd0;
-            load_11 <= 1'd0;
-            load_12 <= 1'd0;
-            load_13 <= 1'd0;
-            load_14 <= 1'd0;
-            load_15 <= 1'd0;
+            credits <= 5'd10;
+            phases_1 <= 16'd1;
             delay_5_from_0_pointer <= 2'd0;
             delay_10_from_0_pointer <= 4'd0;
             delay_6_from_1_pointer <= 3'd0;
@@ -5514,109 +7062,171 @@ module splat_setup (
             delay_5_from_8_pointer <= 2'd0;
             delay_7_from_10_pointer <= 3'd0;
             delay_7_from_14_pointer <= 3'd0;
+            phases_2 <= 16'd1;
+            phases_3 <= 16'd1;
+            phases_4 <= 16'd1;
+            phases_5 <= 16'd1;
+            phases_6 <= 16'd1;
+            phases_7 <= 16'd1;
+            phases_8 <= 16'd1;
+            recip_f24_ftz_unit_phase <= 4'd0;
+            mul_f24_ftz_unit_phase <= 4'd0;
+            mul_f24_ftz_unit_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_phase_copy4 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
+            mul_f24_ftz_unit_copy3_phase <= 4'd0;
+            mul_f24_ftz_unit_copy3_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_copy3_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_copy3_phase_copy4 <= 4'd0;
+            mul_f24_ftz_unit_copy4_phase <= 4'd0;
+            mul_f24_ftz_unit_copy4_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_copy4_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_copy4_phase_copy4 <= 4'd0;
+            add_f24_ftz_unit_phase <= 4'd0;
+            add_f24_ftz_unit_phase_copy2 <= 4'd0;
+            add_f24_ftz_unit_phase_copy3 <= 4'd0;
+            add_f24_ftz_unit_phase_copy4 <= 4'd0;
+            add_f24_ftz_unit_copy2_phase <= 4'd0;
+            add_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
+            add_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
+            add_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
+            add_f24_ftz_unit_copy3_phase <= 4'd0;
+            add_f24_ftz_unit_copy3_phase_copy2 <= 4'd0;
+            add_f24_ftz_unit_copy3_phase_copy3 <= 4'd0;
+            add_f24_ftz_unit_copy3_phase_copy4 <= 4'd0;
+            sqrt_f24_ftz_unit_phase <= 4'd0;
+            le_f24_ftz_unit_phase <= 4'd0;
+            min_f24_ftz_unit_phase <= 4'd0;
+            min_f24_ftz_unit_phase_copy2 <= 4'd0;
+            max_f24_ftz_unit_phase <= 4'd0;
+            max_f24_ftz_unit_phase_copy2 <= 4'd0;
+            max_f24_ftz_unit_phase_copy3 <= 4'd0;
+            max_f24_ftz_unit_phase_copy4 <= 4'd0;
+            to_fixed_f24_ftz_s22q8_unit_phase <= 4'd0;
+            to_fixed_f24_ftz_s29q15_unit_phase <= 4'd0;
+            to_fixed_f24_ftz_s19q18_unit_phase <= 4'd0;
             in_flight <= 10'd0;
+            left <= 1'd0;
+            dropped <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 4'd0);
-            load_1 <= advance_next & (phase_next == 4'd1);
-            load_2 <= advance_next & (phase_next == 4'd2);
-            load_3 <= advance_next & (phase_next == 4'd3);
-            load_4 <= advance_next & (phase_next == 4'd4);
-            load_5 <= advance_next & (phase_next == 4'd5);
-            load_6 <= advance_next & (phase_next == 4'd6);
-            load_7 <= advance_next & (phase_next == 4'd7);
-            load_8 <= advance_next & (phase_next == 4'd8);
-            load_9 <= advance_next & (phase_next == 4'd9);
-            load_10 <= advance_next & (phase_next == 4'd10);
-            load_11 <= advance_next & (phase_next == 4'd11);
-            load_12 <= advance_next & (phase_next == 4'd12);
-            load_13 <= advance_next & (phase_next == 4'd13);
-            load_14 <= advance_next & (phase_next == 4'd14);
-            load_15 <= advance_next & (phase_next == 4'd15);
-            if (load_0) begin
+            credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left} + {4'd0, dropped};
+            phases_1 <= {phases_1[14:0], phases_1[15]};
+            phases_2 <= {phases_2[14:0], phases_2[15]};
+            phases_3 <= {phases_3[14:0], phases_3[15]};
+            phases_4 <= {phases_4[14:0], phases_4[15]};
+            phases_5 <= {phases_5[14:0], phases_5[15]};
+            phases_6 <= {phases_6[14:0], phases_6[15]};
+            phases_7 <= {phases_7[14:0], phases_7[15]};
+            phases_8 <= {phases_8[14:0], phases_8[15]};
+            recip_f24_ftz_unit_phase <= (recip_f24_ftz_unit_phase == 4'd15) ? (recip_f24_ftz_unit_phase - 4'd15) : (recip_f24_ftz_unit_phase + 4'd1);
+            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 4'd15) ? (mul_f24_ftz_unit_phase - 4'd15) : (mul_f24_ftz_unit_phase + 4'd1);
+            mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_phase_copy3 <= (mul_f24_ftz_unit_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_phase_copy4 <= (mul_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_phase_copy4 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 4'd15) ? (mul_f24_ftz_unit_copy2_phase - 4'd15) : (mul_f24_ftz_unit_copy2_phase + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy3 <= (mul_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy4 <= (mul_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
+            mul_f24_ftz_unit_copy3_phase <= (mul_f24_ftz_unit_copy3_phase == 4'd15) ? (mul_f24_ftz_unit_copy3_phase - 4'd15) : (mul_f24_ftz_unit_copy3_phase + 4'd1);
+            mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_copy3_phase_copy3 <= (mul_f24_ftz_unit_copy3_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_copy3_phase_copy4 <= (mul_f24_ftz_unit_copy3_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy4 + 4'd1);
+            mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 4'd15) ? (mul_f24_ftz_unit_copy4_phase - 4'd15) : (mul_f24_ftz_unit_copy4_phase + 4'd1);
+            mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_copy4_phase_copy3 <= (mul_f24_ftz_unit_copy4_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_copy4_phase_copy4 <= (mul_f24_ftz_unit_copy4_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy4 + 4'd1);
+            add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 4'd15) ? (add_f24_ftz_unit_phase - 4'd15) : (add_f24_ftz_unit_phase + 4'd1);
+            add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_phase_copy2 - 4'd15) : (add_f24_ftz_unit_phase_copy2 + 4'd1);
+            add_f24_ftz_unit_phase_copy3 <= (add_f24_ftz_unit_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_phase_copy3 - 4'd15) : (add_f24_ftz_unit_phase_copy3 + 4'd1);
+            add_f24_ftz_unit_phase_copy4 <= (add_f24_ftz_unit_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_phase_copy4 - 4'd15) : (add_f24_ftz_unit_phase_copy4 + 4'd1);
+            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 4'd15) ? (add_f24_ftz_unit_copy2_phase - 4'd15) : (add_f24_ftz_unit_copy2_phase + 4'd1);
+            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
+            add_f24_ftz_unit_copy2_phase_copy3 <= (add_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
+            add_f24_ftz_unit_copy2_phase_copy4 <= (add_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
+            add_f24_ftz_unit_copy3_phase <= (add_f24_ftz_unit_copy3_phase == 4'd15) ? (add_f24_ftz_unit_copy3_phase - 4'd15) : (add_f24_ftz_unit_copy3_phase + 4'd1);
+            add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy2 + 4'd1);
+            add_f24_ftz_unit_copy3_phase_copy3 <= (add_f24_ftz_unit_copy3_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy3 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy3 + 4'd1);
+            add_f24_ftz_unit_copy3_phase_copy4 <= (add_f24_ftz_unit_copy3_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy4 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy4 + 4'd1);
+            sqrt_f24_ftz_unit_phase <= (sqrt_f24_ftz_unit_phase == 4'd15) ? (sqrt_f24_ftz_unit_phase - 4'd15) : (sqrt_f24_ftz_unit_phase + 4'd1);
+            le_f24_ftz_unit_phase <= (le_f24_ftz_unit_phase == 4'd15) ? (le_f24_ftz_unit_phase - 4'd15) : (le_f24_ftz_unit_phase + 4'd1);
+            min_f24_ftz_unit_phase <= (min_f24_ftz_unit_phase == 4'd15) ? (min_f24_ftz_unit_phase - 4'd15) : (min_f24_ftz_unit_phase + 4'd1);
+            min_f24_ftz_unit_phase_copy2 <= (min_f24_ftz_unit_phase_copy2 == 4'd15) ? (min_f24_ftz_unit_phase_copy2 - 4'd15) : (min_f24_ftz_unit_phase_copy2 + 4'd1);
+            max_f24_ftz_unit_phase <= (max_f24_ftz_unit_phase == 4'd15) ? (max_f24_ftz_unit_phase - 4'd15) : (max_f24_ftz_unit_phase + 4'd1);
+            max_f24_ftz_unit_phase_copy2 <= (max_f24_ftz_unit_phase_copy2 == 4'd15) ? (max_f24_ftz_unit_phase_copy2 - 4'd15) : (max_f24_ftz_unit_phase_copy2 + 4'd1);
+            max_f24_ftz_unit_phase_copy3 <= (max_f24_ftz_unit_phase_copy3 == 4'd15) ? (max_f24_ftz_unit_phase_copy3 - 4'd15) : (max_f24_ftz_unit_phase_copy3 + 4'd1);
+            max_f24_ftz_unit_phase_copy4 <= (max_f24_ftz_unit_phase_copy4 == 4'd15) ? (max_f24_ftz_unit_phase_copy4 - 4'd15) : (max_f24_ftz_unit_phase_copy4 + 4'd1);
+            to_fixed_f24_ftz_s22q8_unit_phase <= (to_fixed_f24_ftz_s22q8_unit_phase == 4'd15) ? (to_fixed_f24_ftz_s22q8_unit_phase - 4'd15) : (to_fixed_f24_ftz_s22q8_unit_phase + 4'd1);
+            to_fixed_f24_ftz_s29q15_unit_phase <= (to_fixed_f24_ftz_s29q15_unit_phase == 4'd15) ? (to_fixed_f24_ftz_s29q15_unit_phase - 4'd15) : (to_fixed_f24_ftz_s29q15_unit_phase + 4'd1);
+            to_fixed_f24_ftz_s19q18_unit_phase <= (to_fixed_f24_ftz_s19q18_unit_phase == 4'd15) ? (to_fixed_f24_ftz_s19q18_unit_phase - 4'd15) : (to_fixed_f24_ftz_s19q18_unit_phase + 4'd1);
+            left <= out_valid & out_ready;
+            dropped <= in_flight_9_and_phases_5_0 & ~end_or_visible;
+            if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-                in_flight <= {in_flight[8:0], in_valid};
             end
-            if (load_1) begin
+            if (phases_1[1]) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
             end
-            if (load_6) begin
+            if (phases_1[6]) begin
                 delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
             end
-            if (load_7) begin
+            if (phases_1[7]) begin
                 delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
             end
-            if (load_8) begin
+            if (phases_1[8]) begin
                 delay_5_from_8_pointer <= (delay_5_from_8_pointer == 2'd3) ? (delay_5_from_8_pointer - 2'd3) : (delay_5_from_8_pointer + 2'd1);
             end
-            if (load_10) begin
+            if (phases_1[10]) begin
                 delay_7_from_10_pointer <= (delay_7_from_10_pointer == 3'd5) ? (delay_7_from_10_pointer - 3'd5) : (delay_7_from_10_pointer + 3'd1);
             end
-            if (load_14) begin
+            if (phases_1[14]) begin
                 delay_7_from_14_pointer <= (delay_7_from_14_pointer == 3'd5) ? (delay_7_from_14_pointer - 3'd5) : (delay_7_from_14_pointer + 3'd1);
             end
+            if (phases_6[0]) in_flight <= {in_flight[8:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_2[0]) begin
             center_x_d1 <= in_center_x;
             center_x_d2 <= center_x_d1;
             center_y_d1 <= in_center_y;
             center_y_d2 <= center_y_d1;
             tangent1_x_d1 <= in_tangent1_x;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+        end
+        if (phases_3[0]) begin
             tangent1_x_d2 <= tangent1_x_d1;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_y_d2 <= tangent1_y_d1;
             tangent1_z_d1 <= in_tangent1_z;
             tangent1_z_d2 <= tangent1_z_d1;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+        end
+        if (phases_4[0]) begin
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_x_d2 <= tangent2_x_d1;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_y_d2 <= tangent2_y_d1;
             tangent2_z_d1 <= in_tangent2_z;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+        end
+        if (phases_5[0]) begin
             tangent2_z_d2 <= tangent2_z_d1;
             last_x_lesser_d1 <= last_x_lesser;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
-            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
-            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
             a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
             b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
             mx_sum_d1 <= mx_sum;
             mx_sum_d1_copy2 <= mx_sum_copy2;
-            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
             a_exponent_plus_b_exponent_d1 <= a_exponent_plus_b_exponent;
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_greater_d1 <= largest_greater;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
-            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_y[23];
-            edge_on_lesser_d1 <= edge_on_lesser;
             unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
             edge_on_in_order_d1 <= edge_on_in_order;
-            t_x_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            t_x_minus_t_y_d2 <= t_x_minus_t_y_d1;
-            t_x_minus_t_y_d3 <= t_x_minus_t_y_d2;
-            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
-            center_x_out_d6 <= center_x_out_d5;
-            center_x_out_d7 <= center_x_out_d6;
-            center_y_out_d6 <= center_y_out_d5;
-            center_y_out_d7 <= center_y_out_d6;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
-            exponent_greater_d1_copy4 <= exponent_greater_copy4;
         end
-        if (load_5) begin
+        if (phases_1[5]) begin
             r_d1 <= recip_f24_ftz_unit_y;
             half_depth_lesser_d1 <= min_f24_ftz_unit_y;
             half_depth_lesser_d2 <= half_depth_lesser_d1;
@@ -5626,6 +7236,310 @@ module splat_setup (
             exponent_chosen_d1 <= exponent_chosen[7:0];
             a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
             exponent_both_d1_copy2 <= exponent_both_copy2;
+        end
+        if (phases_1[11]) begin
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+        end
+        if (phases_1[8]) begin
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            unit_delta_product_d1 <= mul_f24_ftz_unit_y;
+            minus_unit_delta_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            last_difference_sum_d1 <= last_difference_sum;
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+        end
+        if (phases_1[4]) begin
+            f_d1 <= recip_f24_ftz_unit_y;
+            center_depth_d1 <= add_f24_ftz_unit_y;
+            center_depth_d2 <= center_depth_d1;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+        end
+        if (phases_1[13]) begin
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            first_x_d1 <= first_x;
+            visible_in_order_d1 <= visible_in_order;
+        end
+        if (phases_1[10]) begin
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            t_x_d1 <= mul_f24_ftz_unit_y;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            h_x_d1 <= sqrt_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            first_sum_both_d8 <= delay_7_from_10_out;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            placed_d1 <= placed;
+            vanishes_d1 <= vanishes;
+        end
+        if (phases_1[3]) begin
+            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
+            spread_half_d2 <= spread_half_d1;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            ay_out_both_d1 <= ay_out_both;
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
+        end
+        if (phases_1[1]) begin
+            before_far_d1 <= le_f24_ftz_unit_y;
+            before_far_d2 <= before_far_d1;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            m_exponent_d1 <= m_exponent;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+        end
+        if (phases_2[4]) begin
+            half_depth_d1 <= half_depth;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
+            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
+            m_exponent_plus_27_d1 <= m_exponent_plus_27;
+            largest_d1 <= largest;
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+        end
+        if (phases_1[12]) begin
+            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
+            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
+            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (phases_1[14]) begin
+            a_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
+        end
+        if (phases_1[9]) begin
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            center_x_d3 <= center_x_d2_copy2;
+            center_x_bits_below_140_d1 <= center_x_bits_below_140;
+            first_sum_d1 <= first_sum;
+            last_sum_lesser_d1 <= last_sum_lesser;
+            center_x_bits_below_140_d1_copy2 <= center_x_bits_below_140_copy2;
+        end
+        if (phases_2[11]) begin
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            v_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
+            alpha_bits_d1 <= a_y_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            shift_plus_4_d1 <= shift_plus_4;
+        end
+        if (phases_1[6]) begin
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            mx_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_below_mx_sum_d1 <= largest_below_mx_sum;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+        end
+        if (phases_2[6]) begin
+            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
+            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
+            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
+            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            my_sign_d1 <= my[23];
+            my_sign_d2 <= my_sign_d1;
+            my_sign_d3 <= my_sign_d2;
+            my_sign_d4 <= my_sign_d3;
+        end
+        if (phases_1[2]) begin
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+            exponent_d1 <= exponent;
+        end
+        if (phases_1[15]) begin
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            a_y_d1 <= mul_f24_ftz_unit_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_exponent_d1 <= a_exponent;
+            b_y_bits_d1 <= a_x_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
+            not_a_y_bits_is_zero_d1 <= not_a_y_bits_is_zero;
+            not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+        end
+        if (phases_2[13]) begin
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_y;
+            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy3_y;
+            first_sum_greater_d1 <= max_f24_ftz_unit_y;
+            last_difference_out_d1 <= last_difference[7:0];
+            exponent_greater_d1 <= exponent_greater;
+        end
+        if (phases_2[10]) begin
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            t_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            minus_t_y_d1 <= {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
+            shift_d1 <= shift;
+        end
+        if (phases_1[7]) begin
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
+            first_difference_sum_d1_copy2 <= first_difference_sum;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_sum_d1_copy2 <= last_sum_sum_copy2;
+        end
+        if (phases_2[12]) begin
+            minus_h_y_d1 <= {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+            first_difference_d1 <= first_difference;
+            last_difference_lesser_d1 <= last_difference_lesser;
+            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
+            ay_out_lesser_d1 <= ay_out_lesser[17:0];
+            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+        end
+        if (phases_2[1]) begin
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            not_placed_d1 <= not_placed;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
+        end
+        if (phases_2[14]) begin
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
+            first_y_d3 <= first_y_d2;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
+            not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+        end
+        if (phases_2[15]) begin
+            b_exponent_d1 <= b_exponent;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            a_y_sign_d1 <= mul_f24_ftz_unit_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            not_b_y_bits_is_zero_d1 <= not_b_y_bits_is_zero;
+            not_b_y_bits_is_zero_d2 <= not_b_y_bits_is_zero_d1;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
+        end
+        if (phases_1[0]) begin
+            unit_delta_both_d1 <= unit_delta_both;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= add_f24_ftz_unit_y[23];
+        end
+        if (phases_3[14]) begin
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_sum_sum_d1 <= add_f24_ftz_unit_y;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy2_y;
+            last_sum_greater_d1 <= max_f24_ftz_unit_y;
+            visible_d1 <= visible;
+        end
+        if (phases_6[0]) begin
+            minus_my_product_d1 <= {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_greater_d1 <= largest_greater;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
+            edge_on_lesser_d1 <= edge_on_lesser;
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+        end
+        if (phases_3[1]) begin
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            root_of_first_difference_sum_d1 <= sqrt_f24_ftz_unit_y;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+        end
+        if (phases_3[4]) begin
+            largest_d2 <= largest_d1;
+            center_y_out_d1 <= {center_y_out_d5[27], center_y_out_d5};
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            shift_either_d1 <= shift_either_copy2;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+        end
+        if (phases_2[5]) begin
             exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
             b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
             exponent_both_d1_copy3 <= exponent_both_copy3;
@@ -5644,277 +7558,34 @@ module splat_setup (
             my_sum_minus_largest_d1 <= my_sum_minus_largest;
             my_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
             my_bits_d1_copy3 <= add_f24_ftz_unit_copy2_y[23];
+            shift_either_bits_d1_copy4 <= shift_either_copy3[27:20];
+        end
+        if (phases_2[3]) begin
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+        end
+        if (phases_3[5]) begin
             t_x_plus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
             t_x_plus_t_y_d2 <= t_x_plus_t_y_d1;
             t_x_plus_t_y_d3 <= t_x_plus_t_y_d2;
             first_sum_sum_d1_copy4 <= first_sum_sum;
             shift_either_bits_d1 <= shift_either_copy3[27:17];
             shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
-            shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
-            shift_either_bits_d1_copy4 <= shift_either_copy3[27:20];
             shift_either_bits_d1_copy5 <= shift_either_copy3[27:21];
-            shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
-            shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
-            shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
             shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
-            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
         end
-        if (load_11) begin
-            alpha_d1 <= mul_f24_ftz_unit_y;
-            alpha_d2 <= alpha_d1;
-            beta_d1 <= mul_f24_ftz_unit_copy2_y;
-            beta_d2 <= beta_d1;
-            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            v_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            beta_bits_d1 <= a_x_bits_d1_bits;
-            beta_bits_d2 <= beta_bits_d1;
-            alpha_bits_d1 <= a_y_bits_d1_bits;
-            alpha_bits_d2 <= alpha_bits_d1;
-            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
-            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
-            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
-            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
-            last_difference_sum_d1_copy3 <= last_difference_sum_copy4;
-            first_difference_greater_d1_copy2 <= first_difference_greater;
-            shift_plus_4_d1 <= shift_plus_4;
-            bx_out_lesser_d1 <= bx_out_lesser[17:0];
-            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
+        if (phases_7[0]) begin
+            t_x_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            t_x_minus_t_y_d2 <= t_x_minus_t_y_d1;
+            t_x_minus_t_y_d3 <= t_x_minus_t_y_d2;
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
+            center_x_out_d6 <= center_x_out_d5;
         end
-        if (load_8) begin
-            q_d1 <= add_f24_ftz_unit_y;
-            q_d2 <= q_d1;
-            unit_delta_product_d1 <= mul_f24_ftz_unit_y;
-            minus_unit_delta_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-            last_difference_sum_d1 <= last_difference_sum;
-            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
-            first_sum_greater_d1_copy2 <= first_sum_greater;
-            first_difference_difference_d1 <= first_difference_difference_copy2;
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
-            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
-            delta_bits_is_255_d1 <= delta_bits_is_255;
-        end
-        if (load_4) begin
-            f_d1 <= recip_f24_ftz_unit_y;
-            center_depth_d1 <= add_f24_ftz_unit_y;
-            center_depth_d2 <= center_depth_d1;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
-            half_depth_d1 <= half_depth;
-            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
-            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
-            m_exponent_plus_27_d1 <= m_exponent_plus_27;
-            largest_d1 <= largest;
-            largest_d2 <= largest_d1;
-            center_y_out_d1 <= {center_y_out_d5[27], center_y_out_d5};
-            shift_difference_d1_copy4 <= shift_difference_copy4;
-            shift_either_d1 <= shift_either_copy2;
-            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
-            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
-            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
-            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
-            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
-            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
-            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
-            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
-            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
-            mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
-            my_bits_plus_126_d1 <= my_bits_plus_126;
-            my_out_joined_d1 <= {my_sign_d4, my_out_chosen[7:0], my_bits_d4_copy2};
-            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
-        end
-        if (load_13) begin
-            b_depth_d1 <= mul_f24_ftz_unit_y;
-            b_depth_d2 <= b_depth_d1;
-            b_depth_d3 <= b_depth_d2;
-            abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
-            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
-            first_x_d1 <= first_x;
-            first_x_d2 <= first_x_d1;
-            first_x_d3 <= first_x_d2;
-            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_y;
-            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_difference_sum_d1 <= add_f24_ftz_unit_copy3_y;
-            first_sum_greater_d1 <= max_f24_ftz_unit_y;
-            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
-            visible_in_order_d1 <= visible_in_order;
-            last_difference_out_d1 <= last_difference[7:0];
-            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
-            shift_shifted_d1 <= {22'd0, first_x} << 14;
-            exponent_greater_d1 <= exponent_greater;
-            by_out_lesser_d1 <= by_out_lesser[17:0];
-            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
-        end
-        if (load_10) begin
-            spread_middle_d1 <= add_f24_ftz_unit_y;
-            t_x_d1 <= mul_f24_ftz_unit_y;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            h_x_d1 <= sqrt_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            t_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            minus_t_y_d1 <= minus_mul_f24_ftz_unit_copy3_y;
-            first_sum_both_d8 <= delay_7_from_10_out;
-            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
-            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
-            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
-            last_sum_out_d1 <= last_sum[7:0];
-            placed_d1 <= placed;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-            ax_out_lesser_d1 <= ax_out_lesser[17:0];
-            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
-            vanishes_d1 <= vanishes;
-        end
-        if (load_3) begin
-            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
-            spread_half_d2 <= spread_half_d1;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-            shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
-            ax_out_both_d1 <= ax_out_both;
-            bx_out_both_d1 <= bx_out_both;
-            ay_out_both_d1 <= ay_out_both;
-            by_out_both_d1 <= by_out_both;
-            mx_out_both_d1 <= mx_out_both;
-            my_out_both_d1 <= my_out_both;
-            vanishes_in_order_d1 <= vanishes_in_order;
-            vanishes_difference_d1 <= vanishes_difference;
-        end
-        if (load_1) begin
-            before_far_d1 <= le_f24_ftz_unit_y;
-            before_far_d2 <= before_far_d1;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
-            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            m_exponent_d1 <= m_exponent;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-            root_of_first_difference_sum_d1 <= sqrt_f24_ftz_unit_y;
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
-            not_placed_d1 <= not_placed;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
-        end
-        if (load_12) begin
-            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
-            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
-            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            minus_h_y_d1 <= {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-            first_difference_d1 <= first_difference;
-            last_difference_lesser_d1 <= last_difference_lesser;
-            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
-            ay_out_lesser_d1 <= ay_out_lesser[17:0];
-            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
-            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-            depth_out_d4 <= depth_out_d3;
-        end
-        if (load_14) begin
-            a_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
-            first_y_d1 <= first_y;
-            first_y_d2 <= first_y_d1;
-            first_y_d3 <= first_y_d2;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            a_x_bits_d2 <= a_x_bits_d1;
-            b_x_bits_d1 <= b_x_bits_d1_bits;
-            b_x_bits_d2 <= b_x_bits_d1;
-            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
-            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
-            not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
-            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            a_x_sign_d2 <= a_x_sign_d1;
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
-            not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
-            not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
-            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
-            b_x_sign_d2 <= b_x_sign_d1;
-            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_sum_sum_d1 <= add_f24_ftz_unit_y;
-            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy2_y;
-            last_sum_greater_d1 <= max_f24_ftz_unit_y;
-            visible_d1 <= visible;
-            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
-            shift_difference_d1 <= shift_difference;
-            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[17:0];
-            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
-        end
-        if (load_9) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            center_x_d3 <= center_x_d2_copy2;
-            center_x_bits_below_140_d1 <= center_x_bits_below_140;
-            first_sum_d1 <= first_sum;
-            last_sum_lesser_d1 <= last_sum_lesser;
-            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
-            last_difference_sum_d1_copy2 <= last_difference_sum_copy2;
-            center_x_bits_below_140_d1_copy2 <= center_x_bits_below_140_copy2;
-            shift_chosen_d1_copy3 <= shift_chosen_copy13;
-            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
-            vanishes_lesser_d1 <= vanishes_lesser[21:0];
-        end
-        if (load_6) begin
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
-            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
-            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
-            mx_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_below_mx_sum_d1 <= largest_below_mx_sum;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
-            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
-            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
+        if (phases_3[6]) begin
             last_sum_sum_d1 <= last_sum_sum;
             first_sum_difference_d1 <= first_sum_difference;
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
             delta_bits_d1 <= {2'd0, delta[22:15]};
             delta_bits_d2 <= delta_bits_d1;
             delta_bits_d3 <= delta_bits_d2;
@@ -5922,96 +7593,73 @@ module splat_setup (
             delta_bits_d5 <= delta_bits_d4;
             exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy2[22:15]};
             exponent_joined_bits_d2 <= exponent_joined_bits_d1;
-            exponent_joined_bits_d3 <= exponent_joined_bits_d2;
-            exponent_joined_bits_d4 <= exponent_joined_bits_d3;
-            exponent_joined_bits_d5 <= exponent_joined_bits_d4;
-            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy6[22:15]};
-            exponent_joined_bits_d2_copy2 <= exponent_joined_bits_d1_copy2;
-            exponent_joined_bits_d3_copy2 <= exponent_joined_bits_d2_copy2;
-            exponent_joined_bits_d4_copy2 <= exponent_joined_bits_d3_copy2;
-            exponent_joined_bits_d5_copy2 <= exponent_joined_bits_d4_copy2;
-            exponent_joined_bits_d1_copy3 <= {2'd0, exponent_chosen_copy4[22:15]};
-            exponent_joined_bits_d2_copy3 <= exponent_joined_bits_d1_copy3;
-            exponent_joined_bits_d3_copy3 <= exponent_joined_bits_d2_copy3;
-            exponent_joined_bits_d4_copy3 <= exponent_joined_bits_d3_copy3;
-            exponent_joined_bits_d5_copy3 <= exponent_joined_bits_d4_copy3;
-            exponent_joined_bits_d1_copy4 <= {2'd0, exponent_chosen_copy8[22:15]};
-            exponent_joined_bits_d2_copy4 <= exponent_joined_bits_d1_copy4;
-            exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
-            exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
-            exponent_joined_bits_d5_copy4 <= exponent_joined_bits_d4_copy4;
-            my_bits_d1_copy4 <= {2'd0, my[22:15]};
-            my_bits_d2 <= my_bits_d1_copy4;
-            my_bits_d3 <= my_bits_d2;
-            my_bits_d4 <= my_bits_d3;
-            my_sign_d1 <= my[23];
-            my_sign_d2 <= my_sign_d1;
-            my_sign_d3 <= my_sign_d2;
-            my_sign_d4 <= my_sign_d3;
-            my_bits_d1_copy5 <= my[14:0];
-            my_bits_d2_copy2 <= my_bits_d1_copy5;
-            my_bits_d3_copy2 <= my_bits_d2_copy2;
-            my_bits_d4_copy2 <= my_bits_d3_copy2;
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_low_out_d2 <= depth_low_out_d1;
         end
-        if (load_2) begin
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
-            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            mx_both_d1 <= mx_both;
-            mx_chosen_d1 <= mx_chosen[7:0];
-            mx_both_d1_copy2 <= mx_both_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            visible_both_d1 <= visible_both_copy2;
-            visible_both_d2 <= visible_both_d1;
-            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
-            exponent_d1 <= exponent;
-        end
-        if (load_15) begin
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            a_y_d1 <= mul_f24_ftz_unit_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
-            a_y_bits_d1 <= a_y_bits_d1_bits;
-            a_y_bits_d2 <= a_y_bits_d1;
-            a_exponent_d1 <= a_exponent;
-            b_y_bits_d1 <= a_x_bits_d1_bits;
-            b_y_bits_d2 <= b_y_bits_d1;
-            b_exponent_d1 <= b_exponent;
-            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            not_a_y_bits_is_zero_d1 <= not_a_y_bits_is_zero;
-            not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
-            a_y_sign_d1 <= mul_f24_ftz_unit_y[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
-            not_b_y_bits_is_zero_d1 <= not_b_y_bits_is_zero;
-            not_b_y_bits_is_zero_d2 <= not_b_y_bits_is_zero_d1;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
-            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
-            b_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            b_y_sign_d2 <= b_y_sign_d1;
-            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
+        if (phases_3[15]) begin
             first_difference_greater_d1 <= max_f24_ftz_unit_y;
             center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
             shift_chosen_bits_d1 <= shift_chosen[27:0];
             shift_difference_d1_copy3 <= shift_difference_copy3;
             exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[17:0];
         end
-        if (load_7) begin
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
-            first_difference_sum_d1_copy2 <= first_difference_sum;
-            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
-            last_sum_sum_d1_copy2 <= last_sum_sum_copy2;
+        if (phases_3[13]) begin
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
+            shift_shifted_d1 <= {22'd0, first_x} << 14;
+            by_out_lesser_d1 <= by_out_lesser[17:0];
+            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
+        end
+        if (phases_2[8]) begin
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1_copy2 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
+            delta_bits_is_255_d1 <= delta_bits_is_255;
+        end
+        if (phases_2[9]) begin
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+            last_difference_sum_d1_copy2 <= last_difference_sum_copy2;
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[21:0];
+        end
+        if (phases_3[10]) begin
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            last_sum_out_d1 <= last_sum[7:0];
+            shift_d2 <= shift_d1;
+            ax_out_lesser_d1 <= ax_out_lesser[17:0];
+            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
+        end
+        if (phases_3[11]) begin
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy4;
+            first_difference_greater_d1_copy2 <= first_difference_greater;
+            bx_out_lesser_d1 <= bx_out_lesser[17:0];
+            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
+        end
+        if (phases_4[14]) begin
+            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
+            shift_difference_d1 <= shift_difference;
+            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+        end
+        if (phases_8[0]) begin
+            center_x_out_d7 <= center_x_out_d6;
+            center_y_out_d6 <= center_y_out_d5;
+            center_y_out_d7 <= center_y_out_d6;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
+        end
+        if (phases_2[2]) shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
+        if (phases_3[3]) shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
+        if (phases_4[5]) begin
+            shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
+        end
+        if (phases_2[7]) begin
             shift_chosen_d1 <= shift_chosen_copy7;
             mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
             mx_bits_d2 <= mx_bits_d1_copy4;
@@ -6029,84 +7677,143 @@ module splat_setup (
             depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_high_out_d2 <= depth_high_out_d1;
         end
-        if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z) : in_center_z;
-            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_a_choice_4;
-            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_6;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_5;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
-            mul_f24_ftz_unit_copy3_a <= phase[3] ? mul_f24_ftz_unit_copy3_a_choice_3 : phase[2] ? mul_f24_ftz_unit_copy3_a_choice_4 : b_x_d1;
-            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_3 : phase[2] ? mul_f24_ftz_unit_copy3_b_choice_4 : b_y_d1;
-            mul_f24_ftz_unit_copy4_a <= phase[3] ? mul_f24_ftz_unit_copy4_a_choice_4 : mul_f24_ftz_unit_copy4_a_choice_6;
-            mul_f24_ftz_unit_copy4_b <= phase[3] ? mul_f24_ftz_unit_copy4_b_choice_2 : mul_f24_ftz_unit_copy4_b_choice_5;
-            add_f24_ftz_unit_a <= phase[3] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
-            add_f24_ftz_unit_b <= phase[3] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_8;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_6;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
-            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice_3 : add_f24_ftz_unit_copy3_a_choice_6;
-            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_10;
-            sqrt_f24_ftz_unit_a <= phase[3] ? sqrt_f24_ftz_unit_a_choice_3 : sqrt_f24_ftz_unit_a_choice_4;
-            le_f24_ftz_unit_a <= phase[3] ? (phase[2] ? (phase[1] ? center_depth_d2 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[3] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_y;
-            min_f24_ftz_unit_a <= phase[3] ? (phase[2] ? (phase[1] ? 24'h470000 : 24'h45fff8) : 24'h45fff8) : min_f24_ftz_unit_a_choice_3;
-            min_f24_ftz_unit_b <= phase[3] ? (phase[2] ? min_f24_ftz_unit_b_choice : max_f24_ftz_unit_y) : min_f24_ftz_unit_b_choice_4;
-            max_f24_ftz_unit_a <= phase[3] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
-            max_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_6;
-            to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
-            to_fixed_f24_ftz_u23q8_unit_a <= min_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
-            to_fixed_f24_ftz_s29q15_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
-            to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_2 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
-            to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
+        if (phases_4[6]) begin
+            exponent_joined_bits_d3 <= exponent_joined_bits_d2;
+            exponent_joined_bits_d4 <= exponent_joined_bits_d3;
+            exponent_joined_bits_d5 <= exponent_joined_bits_d4;
+            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy6[22:15]};
+            exponent_joined_bits_d2_copy2 <= exponent_joined_bits_d1_copy2;
+            exponent_joined_bits_d3_copy2 <= exponent_joined_bits_d2_copy2;
+            exponent_joined_bits_d4_copy2 <= exponent_joined_bits_d3_copy2;
+            exponent_joined_bits_d5_copy2 <= exponent_joined_bits_d4_copy2;
+            exponent_joined_bits_d1_copy3 <= {2'd0, exponent_chosen_copy4[22:15]};
+            exponent_joined_bits_d2_copy3 <= exponent_joined_bits_d1_copy3;
+            exponent_joined_bits_d3_copy3 <= exponent_joined_bits_d2_copy3;
+            exponent_joined_bits_d4_copy3 <= exponent_joined_bits_d3_copy3;
         end
+        if (phases_5[6]) begin
+            exponent_joined_bits_d5_copy3 <= exponent_joined_bits_d4_copy3;
+            exponent_joined_bits_d1_copy4 <= {2'd0, exponent_chosen_copy8[22:15]};
+            exponent_joined_bits_d2_copy4 <= exponent_joined_bits_d1_copy4;
+            exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
+            exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
+            exponent_joined_bits_d5_copy4 <= exponent_joined_bits_d4_copy4;
+            my_bits_d1_copy4 <= {2'd0, my[22:15]};
+            my_bits_d2 <= my_bits_d1_copy4;
+            my_bits_d3 <= my_bits_d2;
+            my_bits_d4 <= my_bits_d3;
+            my_bits_d1_copy5 <= my[14:0];
+        end
+        if (phases_4[4]) begin
+            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
+            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
+            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
+            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
+            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
+        end
+        if (phases_5[4]) begin
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d4, my_out_chosen[7:0], my_bits_d4_copy2};
+            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
+        end
+        if (phases_5[14]) begin
+            mx_out_lesser_d1 <= mx_out_lesser[17:0];
+            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
+        end
+        if (phases_6[6]) begin
+            my_bits_d2_copy2 <= my_bits_d1_copy5;
+            my_bits_d3_copy2 <= my_bits_d2_copy2;
+            my_bits_d4_copy2 <= my_bits_d3_copy2;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
+        end
+        if (phases_4[15]) my_out_lesser_d1 <= my_out_lesser[17:0];
+        if (phases_3[12]) begin
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
+            depth_out_d4 <= depth_out_d3;
+        end
+        recip_f24_ftz_unit_a <= recip_f24_ftz_unit_phase[3] ? recip_f24_ftz_unit_a_choice_2 : in_center_z;
+        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_14, mul_f24_ftz_unit_a_choice_24};
+        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_14, mul_f24_ftz_unit_b_choice_28};
+        mul_f24_ftz_unit_copy2_a <= {mul_f24_ftz_unit_copy2_a_choice_15, mul_f24_ftz_unit_copy2_a_choice_27};
+        mul_f24_ftz_unit_copy2_b <= {mul_f24_ftz_unit_copy2_b_choice_14, mul_f24_ftz_unit_copy2_b_choice_27};
+        mul_f24_ftz_unit_copy3_a <= {mul_f24_ftz_unit_copy3_a_choice_14, mul_f24_ftz_unit_copy3_a_choice_28};
+        mul_f24_ftz_unit_copy3_b <= {mul_f24_ftz_unit_copy3_b_choice_13, mul_f24_ftz_unit_copy3_b_choice_26};
+        mul_f24_ftz_unit_copy4_a <= {mul_f24_ftz_unit_copy4_a_choice_14, mul_f24_ftz_unit_copy4_a_choice_26};
+        mul_f24_ftz_unit_copy4_b <= {mul_f24_ftz_unit_copy4_b_choice_14, mul_f24_ftz_unit_copy4_b_choice_28};
+        add_f24_ftz_unit_a <= {add_f24_ftz_unit_a_choice_14, add_f24_ftz_unit_a_choice_28};
+        add_f24_ftz_unit_b <= {add_f24_ftz_unit_b_choice_15, add_f24_ftz_unit_b_choice_30};
+        add_f24_ftz_unit_copy2_a <= {add_f24_ftz_unit_copy2_a_choice_15, add_f24_ftz_unit_copy2_a_choice_30};
+        add_f24_ftz_unit_copy2_b <= {add_f24_ftz_unit_copy2_b_choice_15, add_f24_ftz_unit_copy2_b_choice_30};
+        add_f24_ftz_unit_copy3_a <= {add_f24_ftz_unit_copy3_a_choice_15, add_f24_ftz_unit_copy3_a_choice_30};
+        add_f24_ftz_unit_copy3_b <= {add_f24_ftz_unit_copy3_b_choice_15, add_f24_ftz_unit_copy3_b_choice_30};
+        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[3] ? sqrt_f24_ftz_unit_a_choice_5 : sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice_6 : q_d1;
+        le_f24_ftz_unit_a <= le_f24_ftz_unit_phase[3] ? le_f24_ftz_unit_a_choice_4 : le_f24_ftz_unit_a_choice_5;
+        le_f24_ftz_unit_b <= le_f24_ftz_unit_phase[3] ? le_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_y;
+        min_f24_ftz_unit_a <= min_f24_ftz_unit_phase[3] ? min_f24_ftz_unit_a_choice_5 : min_f24_ftz_unit_a_choice_9;
+        min_f24_ftz_unit_b <= min_f24_ftz_unit_phase_copy2[3] ? min_f24_ftz_unit_b_choice_3 : min_f24_ftz_unit_b_choice_9;
+        max_f24_ftz_unit_a <= {max_f24_ftz_unit_a_choice_12, max_f24_ftz_unit_a_choice_23};
+        max_f24_ftz_unit_b <= {max_f24_ftz_unit_b_choice_13, max_f24_ftz_unit_b_choice_26};
+        to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
+        to_fixed_f24_ftz_u23q8_unit_a <= min_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[3] ? to_fixed_f24_ftz_s22q8_unit_a_choice_2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s29q15_unit_a <= to_fixed_f24_ftz_s29q15_unit_phase[3] ? to_fixed_f24_ftz_s29q15_unit_a_choice_2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s19q18_unit_a <= to_fixed_f24_ftz_s19q18_unit_phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : to_fixed_f24_ftz_s19q18_unit_a_choice_6;
+        to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_out, center_x_out};
-        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_out, center_x_out};
+        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
         end
-        if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (phases_1[0]) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= edge_on_or_visible_unequal;
-        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
+        if (phases_1[1]) delay_6_from_1[delay_6_from_1_pointer] <= edge_on_or_visible_unequal;
+        if (phases_1[1]) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
+        if (phases_1[6]) begin
             delay_5_from_6[delay_5_from_6_pointer] <= {
                 delta[14:0], delta[23], exponent_chosen_copy8[14:0], b_y_sign_d2, exponent_chosen_copy4[14:0],
                 a_y_sign_d2, exponent_chosen_copy6[14:0], b_x_sign_d2, exponent_chosen_copy2[14:0], a_x_sign_d2
             };
         end
-        if (load_6) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
+        if (phases_1[6]) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) begin
+        if (phases_1[7]) begin
             delay_5_from_7[delay_5_from_7_pointer] <= {
                 not_zero_is_delta_bits, mx[14:0], mx[23], by_out_inverted, ay_out_inverted, bx_out_inverted,
                 ax_out_inverted
             };
         end
-        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
+        if (phases_1[7]) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (load_8) begin
+        if (phases_1[8]) begin
             delay_5_from_8[delay_5_from_8_pointer] <= {odd_or_edge_on_or_not_placed, not_zero_is_mx_bits_copy2};
         end
-        if (load_8) delay_5_from_8_out <= delay_5_from_8[delay_5_from_8_pointer];
+        if (phases_1[8]) delay_5_from_8_out <= delay_5_from_8[delay_5_from_8_pointer];
     end
     always @(posedge clk) begin
-        if (load_10) delay_7_from_10[delay_7_from_10_pointer] <= first_sum_both;
-        if (load_10) delay_7_from_10_out <= delay_7_from_10[delay_7_from_10_pointer];
+        if (phases_1[10]) delay_7_from_10[delay_7_from_10_pointer] <= first_sum_both;
+        if (phases_1[10]) delay_7_from_10_out <= delay_7_from_10[delay_7_from_10_pointer];
     end
     always @(posedge clk) begin
-        if (load_14) begin
+        if (phases_1[14]) begin
             delay_7_from_14[delay_7_from_14_pointer] <= {first_difference_difference, first_sum_sum_copy2};
         end
-        if (load_14) delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
+        if (phases_1[14]) delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
     end
 
     wire _unused = &{
@@ -6119,79 +7826,334 @@ module splat_setup (
         last_difference_sum_copy3[7:0], last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:7],
         last_y_lesser_minus_1[21:7], mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8],
         mx_out_chosen[9:8], mx_out_lesser[19:18], mx_out_sum[0], my_chosen[10:8], my_out_chosen[9:8],
-        my_out_lesser[19:18], my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28], shift_chosen_copy3[28],
-        shift_chosen_copy4[28], shift_either_copy3[16:0], unit_delta_chosen[10:8],
-        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8],
-        vanishes_chosen[9:8], vanishes_lesser[23:22], vanishes_sum[0]
+        my_out_lesser[19:18], my_out_sum[0], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid,
+        queue_3_in_ready, queue_3_out_valid, queue_4_in_ready, queue_4_out_valid, shift_chosen[28],
+        shift_chosen_copy2[28], shift_chosen_copy3[28], shift_chosen_copy4[28], shift_either_copy3[16:0],
+        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
+        unit_delta_chosen_copy7[10:8], vanishes_chosen[9:8], vanishes_lesser[23:22], vanishes_sum[0]
     };
+
+`ifdef RTL_ASSERT
+    reg [3:0] to_fixed_f24_ftz_u21q8_unit_phase, to_fixed_f24_ftz_u23q8_unit_phase;
+    reg [3:0] to_fixed_f24_ftz_u24q24_unit_phase;
+
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
+    wire check_both_3 = check_both_2 & (phases_8 == phases_1) & ((recip_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_phase == 4'd0) == phases_1[0]) & ((mul_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((mul_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((mul_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((mul_f24_ftz_unit_copy3_phase == 4'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((mul_f24_ftz_unit_copy3_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((mul_f24_ftz_unit_copy3_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_15 = check_both_14 & ((mul_f24_ftz_unit_copy4_phase == 4'd0) == phases_1[0]);
+    wire check_both_16 = check_both_15 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_17 = check_both_16 & ((mul_f24_ftz_unit_copy4_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_18 = check_both_17 & ((mul_f24_ftz_unit_copy4_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_19 = check_both_18 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((add_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_25 = check_both_24 & ((add_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_26 = check_both_25 & ((add_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_27 = check_both_26 & ((add_f24_ftz_unit_copy3_phase == 4'd0) == phases_1[0]);
+    wire check_both_28 = check_both_27 & ((add_f24_ftz_unit_copy3_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_29 = check_both_28 & ((add_f24_ftz_unit_copy3_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_30 = check_both_29 & ((add_f24_ftz_unit_copy3_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_31 = check_both_30 & ((sqrt_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_32 = check_both_31 & ((le_f24_ftz_unit_phase == 4'd0) == phases_1[0]) & ((min_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_33 = check_both_32 & ((min_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_34 = check_both_33 & ((max_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_35 = check_both_34 & ((max_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_36 = check_both_35 & ((max_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_37 = check_both_36 & ((max_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_38 = check_both_37 & ((to_fixed_f24_ftz_u21q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_39 = check_both_38 & ((to_fixed_f24_ftz_u23q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_40 = check_both_39 & ((to_fixed_f24_ftz_s22q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_41 = check_both_40 & ((to_fixed_f24_ftz_s29q15_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_42 = check_both_41 & ((to_fixed_f24_ftz_s19q18_unit_phase == 4'd0) == phases_1[0]);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            to_fixed_f24_ftz_u21q8_unit_phase <= 4'd0;
+            to_fixed_f24_ftz_u23q8_unit_phase <= 4'd0;
+            to_fixed_f24_ftz_u24q24_unit_phase <= 4'd0;
+        end else begin
+            to_fixed_f24_ftz_u21q8_unit_phase <= (to_fixed_f24_ftz_u21q8_unit_phase == 4'd15) ? (to_fixed_f24_ftz_u21q8_unit_phase - 4'd15) : (to_fixed_f24_ftz_u21q8_unit_phase + 4'd1);
+            to_fixed_f24_ftz_u23q8_unit_phase <= (to_fixed_f24_ftz_u23q8_unit_phase == 4'd15) ? (to_fixed_f24_ftz_u23q8_unit_phase - 4'd15) : (to_fixed_f24_ftz_u23q8_unit_phase + 4'd1);
+            to_fixed_f24_ftz_u24q24_unit_phase <= (to_fixed_f24_ftz_u24q24_unit_phase == 4'd15) ? (to_fixed_f24_ftz_u24q24_unit_phase - 4'd15) : (to_fixed_f24_ftz_u24q24_unit_phase + 4'd1);
+        end
+    end
+
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        queue_4_in_step: assert (queue_4_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_42 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]));
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_4_in_ready)) begin
+            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
+        end
+        if (!(queue_4_out_valid == out_valid)) begin
+            $display("assertion failed: queue_4_in_step in %m"); $stop;
+        end
+        if (!(check_both_42 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 11
+// width = 8
+// storage = distributed
+module stream_fifo_d11_w8_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [7:0] entries [0:10];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [7:0] item;
+
+    wire has_room = ~(held == 4'd11);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd10) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd10) ? 4'd0 : (read_address + 4'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 4'd1)));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 4'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 4'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 4'd4)));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 4'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 4'd6)));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & (phase == 4'd7)));
-        load_8_in_phase: assert (load_8 == (queue_in_ready & (phase == 4'd8)));
-        load_9_in_phase: assert (load_9 == (queue_in_ready & (phase == 4'd9)));
-        load_10_in_phase: assert (load_10 == (queue_in_ready & (phase == 4'd10)));
-        load_11_in_phase: assert (load_11 == (queue_in_ready & (phase == 4'd11)));
-        load_12_in_phase: assert (load_12 == (queue_in_ready & (phase == 4'd12)));
-        load_13_in_phase: assert (load_13 == (queue_in_ready & (phase == 4'd13)));
-        load_14_in_phase: assert (load_14 == (queue_in_ready & (phase == 4'd14)));
-        load_15_in_phase: assert (load_15 == (queue_in_ready & phase_is_15));
+        held_in_range: assert (held <= 4'd11);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
 `else
-        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(held <= 4'd11)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 11
+// width = 124
+// storage = distributed
+module stream_fifo_d11_w124_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [123:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [123:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [123:0] entries [0:10];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [123:0] item;
+
+    wire has_room = ~(held == 4'd11);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd10) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd10) ? 4'd0 : (read_address + 4'd1);
         end
-        if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd11);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd11)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 11
+// width = 128
+// storage = distributed
+module stream_fifo_d11_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:10];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 4'd11);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd10) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd10) ? 4'd0 : (read_address + 4'd1);
         end
-        if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd11);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd11)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 11
+// width = 111
+// storage = distributed
+module stream_fifo_d11_w111_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [110:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [110:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [110:0] entries [0:10];
+    reg [3:0] held, waiting, write_address, read_address;
+    reg [110:0] item;
+
+    wire has_room = ~(held == 4'd11);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 4'd0;
+            waiting <= 4'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {3'd0, push}) - {3'd0, pop};
+            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 4'd10) ? 4'd0 : (write_address + 4'd1);
+            if (fetch) read_address <= (read_address == 4'd10) ? 4'd0 : (read_address + 4'd1);
         end
-        if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
-        end
-        if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
-        end
-        if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
-            $display("assertion failed: load_8_in_phase in %m"); $stop;
-        end
-        if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
-            $display("assertion failed: load_9_in_phase in %m"); $stop;
-        end
-        if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
-            $display("assertion failed: load_10_in_phase in %m"); $stop;
-        end
-        if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
-            $display("assertion failed: load_11_in_phase in %m"); $stop;
-        end
-        if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
-            $display("assertion failed: load_12_in_phase in %m"); $stop;
-        end
-        if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
-            $display("assertion failed: load_13_in_phase in %m"); $stop;
-        end
-        if (!(load_14 == (queue_in_ready & (phase == 4'd14)))) begin
-            $display("assertion failed: load_14_in_phase in %m"); $stop;
-        end
-        if (!(load_15 == (queue_in_ready & phase_is_15))) begin
-            $display("assertion failed: load_15_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 4'd11);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+`else
+        if (!(held <= 4'd11)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -7144,49 +9106,6 @@ module float_recip_s20_f24ftz (
     };
 endmodule
 
-// Queue of two in registers.
-// width = 371
-module stream_skid_w371 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [370:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [370:0] out_data
-);
-    reg second_valid;
-    reg [370:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // World space to camera space.
 // latency = 30
 // initiation_interval = 16
@@ -7234,34 +9153,53 @@ module splat_transform (
     output wire [15:0] out_attribute_1,  // Attributes.
     output wire [15:0] out_attribute_2  // Attributes.
 );
-    reg [3:0] phase;
-    reg load_0, load_1, load_2, load_5, load_6, load_8, load_9, load_10, load_11, load_12, load_13, load_14;
+    reg [2:0] credits;
+    reg [15:0] phases_1;
     reg end_d1, end_d2;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1;
     reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, m12_times_center_z_d1;
-    reg [23:0] m22_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, v1_x_d1;
-    reg [23:0] v1_y_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
-    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
+    reg [23:0] m22_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1;
+    reg [15:0] phases_2;
+    reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
+    reg [15:0] phases_3;
+    reg [23:0] tangent2_z_d1, v2_x_d1, v2_y_sum_d1, m12_times_tangent2_z_d1, v2_y_d1, v2_z_sum_d1;
+    reg [23:0] m22_times_tangent2_z_d1;
     reg end_or_near_plane_below_u_z_d1, attribute_0_bits_is_31_d1;
     reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1;
     reg attribute_1_bits_is_31_d1;
     reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1;
     reg attribute_2_bits_is_31_d1;
     reg [15:0] attribute_2_out_chosen_d1, attribute_2_out_d1;
-    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
-    reg [23:0] add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b;
+    reg [3:0] mul_f24_ftz_unit_phase, mul_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [3:0] mul_f24_ftz_unit_phase_copy3, mul_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase, mul_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase_copy3, mul_f24_ftz_unit_copy2_phase_copy4;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [3:0] add_f24_ftz_unit_phase, add_f24_ftz_unit_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [3:0] add_f24_ftz_unit_phase_copy3, add_f24_ftz_unit_phase_copy4;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [3:0] add_f24_ftz_unit_copy2_phase;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [3:0] add_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
     reg [1:0] in_flight;
+    reg left, dropped;
 
-    wire queue_in_ready;
-    wire [264:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y;
-    wire lt_f24_ftz_unit_y;
+    wire lt_f24_ftz_unit_y, queue_1_in_ready;
+    wire [120:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [127:0] queue_2_out_data;
+    wire queue_3_in_ready, queue_3_out_valid;
 
-    wire phase_is_14 = phase == 4'd14;
-    wire queue_in_valid_both = in_flight[1] & end_or_near_plane_below_u_z_d1 & phase_is_14;
-    wire phase_is_15 = phase == 4'd15;
-    wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
-    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    assign in_ready = ~credits[2] & phases_1[0];
+    wire in_flight_1_and_phases_1_14 = in_flight[1] & phases_1[14];
+    wire kept = in_flight_1_and_phases_1_14 & end_or_near_plane_below_u_z_d1;
+    wire in_valid_and_in_ready = in_valid & in_ready;
     wire end_or_near_plane_below_u_z = end_d2 | lt_f24_ftz_unit_y;
     wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
     wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
@@ -7275,103 +9213,236 @@ module splat_transform (
     wire zero_is_attribute_2_bits = 10'd0 == in_attribute_2[9:0];
     wire [15:0] attribute_2_out_chosen = zero_is_attribute_2_bits ? {in_attribute_2[15], 15'h7bff} : 16'd0;
     wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[2] ? (phase[1] ? (phase[0] ? m02 : m22) : phase[0] ? m12 : m02) : phase[1] ? m20 : phase[0] ? m10 : m00;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? (phase[0] ? m20 : m10) : phase[0] ? m00 : m12) : phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m00 : m20;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? tangent2_z_d1 : tangent1_z_d1) : tangent1_z_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? tangent1_x_d1 : phase[0] ? tangent1_x_d1 : center_z_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_z_d1 : center_x_d1) : phase[0] ? center_x_d1 : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m12) : phase[1] ? m21 : phase[0] ? m11 : m01;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? (phase[1] ? (phase[0] ? m21 : m11) : phase[0] ? m01 : m22) : phase[1] ? (phase[0] ? m22 : m11) : phase[0] ? m01 : m21;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? tangent1_y_d1 : phase[0] ? tangent1_y_d1 : center_z_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_z_d1 : center_y_d1) : phase[0] ? center_y_d1 : in_center_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_f24_ftz_unit_y : m03;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m23 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : m12_times_center_z_d1) : phase[0] ? m02_times_center_z_d1 : m22_times_center_z_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice_2 : phase[1] ? add_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? v2_z_sum_d1 : v2_y_sum_d1) : phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m22_times_tangent2_z_d1 : m12_times_tangent2_z_d1) : add_f24_ftz_unit_b_choice_3;
+    wire [7:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m02[23:16] : m22[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m12[23:16] : m02[23:16];
+    wire [7:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m20[23:16] : m20[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m10[23:16] : m00[23:16];
+    wire [7:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+    wire [7:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m20[23:16] : m10[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m00[23:16] : m12[23:16];
+    wire [7:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m02[23:16] : m10[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m00[23:16] : m20[23:16];
+    wire [7:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
+    wire [7:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_6;
+    wire [15:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m02[15:0] : m22[15:0]) : mul_f24_ftz_unit_phase[0] ? m12[15:0] : m02[15:0];
+    wire [15:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m20[15:0] : m20[15:0]) : mul_f24_ftz_unit_phase[0] ? m10[15:0] : m00[15:0];
+    wire [15:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_8 : mul_f24_ftz_unit_a_choice_9;
+    wire [15:0] mul_f24_ftz_unit_a_choice_11 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m20[15:0] : m10[15:0]) : mul_f24_ftz_unit_phase[0] ? m00[15:0] : m12[15:0];
+    wire [15:0] mul_f24_ftz_unit_a_choice_12 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m02[15:0] : m10[15:0]) : mul_f24_ftz_unit_phase[0] ? m00[15:0] : m20[15:0];
+    wire [15:0] mul_f24_ftz_unit_a_choice_13 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_11 : mul_f24_ftz_unit_a_choice_12;
+    wire [15:0] mul_f24_ftz_unit_a_choice_14 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_10 : mul_f24_ftz_unit_a_choice_13;
+    wire [7:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? tangent2_z_d1[23:16] : tangent1_z_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[0] ? tangent1_z_d1[23:16] : tangent1_z_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+    wire [7:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[0] ? tangent2_x_d1[23:16] : tangent2_x_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_4;
+    wire [7:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
+    wire [7:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[0] ? tangent1_x_d1[23:16] : tangent1_x_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[0] ? tangent1_x_d1[23:16] : center_z_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_7 : mul_f24_ftz_unit_b_choice_8;
+    wire [7:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy4[0] ? center_z_d1[23:16] : center_x_d1[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy4[0] ? center_x_d1[23:16] : in_center_x[23:16];
+    wire [7:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_10 : mul_f24_ftz_unit_b_choice_11;
+    wire [7:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_9 : mul_f24_ftz_unit_b_choice_12;
+    wire [7:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_6 : mul_f24_ftz_unit_b_choice_13;
+    wire [15:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[0] ? tangent2_z_d1[15:0] : tangent1_z_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[0] ? tangent1_z_d1[15:0] : tangent1_z_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_17 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_15 : mul_f24_ftz_unit_b_choice_16;
+    wire [15:0] mul_f24_ftz_unit_b_choice_18 = mul_f24_ftz_unit_phase_copy3[0] ? tangent2_x_d1[15:0] : tangent2_x_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_19 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_18 : mul_f24_ftz_unit_b_choice_18;
+    wire [15:0] mul_f24_ftz_unit_b_choice_20 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_17 : mul_f24_ftz_unit_b_choice_19;
+    wire [15:0] mul_f24_ftz_unit_b_choice_21 = mul_f24_ftz_unit_phase_copy3[0] ? tangent1_x_d1[15:0] : tangent1_x_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_22 = mul_f24_ftz_unit_phase_copy3[0] ? tangent1_x_d1[15:0] : center_z_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_23 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_21 : mul_f24_ftz_unit_b_choice_22;
+    wire [15:0] mul_f24_ftz_unit_b_choice_24 = mul_f24_ftz_unit_phase_copy3[0] ? center_z_d1[15:0] : center_x_d1[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_25 = mul_f24_ftz_unit_phase_copy3[0] ? center_x_d1[15:0] : in_center_x[15:0];
+    wire [15:0] mul_f24_ftz_unit_b_choice_26 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_24 : mul_f24_ftz_unit_b_choice_25;
+    wire [15:0] mul_f24_ftz_unit_b_choice_27 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_23 : mul_f24_ftz_unit_b_choice_26;
+    wire [15:0] mul_f24_ftz_unit_b_choice_28 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_20 : mul_f24_ftz_unit_b_choice_27;
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m22[23:21] : m22[23:21]) : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m22[23:21] : m12[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m21[23:21] : m21[23:21]) : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m11[23:21] : m01[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m21[23:21] : m11[23:21]) : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m01[23:21] : m22[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m22[23:21] : m11[23:21]) : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m01[23:21] : m21[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
+    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_7 = mul_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_6;
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_8 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22[20:0] : m22[20:0]) : mul_f24_ftz_unit_copy2_phase[0] ? m22[20:0] : m12[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_9 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m21[20:0] : m21[20:0]) : mul_f24_ftz_unit_copy2_phase[0] ? m11[20:0] : m01[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_10 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_8 : mul_f24_ftz_unit_copy2_a_choice_9;
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_11 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m21[20:0] : m11[20:0]) : mul_f24_ftz_unit_copy2_phase[0] ? m01[20:0] : m22[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_12 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22[20:0] : m11[20:0]) : mul_f24_ftz_unit_copy2_phase[0] ? m01[20:0] : m21[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_13 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_11 : mul_f24_ftz_unit_copy2_a_choice_12;
+    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_14 = mul_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_copy2_a_choice_10 : mul_f24_ftz_unit_copy2_a_choice_13;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy4[0] ? tangent2_z_d1[23:21] : tangent2_z_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? tangent2_y_d1[23:21] : tangent2_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_3;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? tangent1_y_d1[23:21] : tangent1_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_7 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? tangent1_y_d1[23:21] : center_z_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_8 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_6 : mul_f24_ftz_unit_copy2_b_choice_7;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_9 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? center_z_d1[23:21] : center_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_10 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? center_y_d1[23:21] : in_center_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_11 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_9 : mul_f24_ftz_unit_copy2_b_choice_10;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_12 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_8 : mul_f24_ftz_unit_copy2_b_choice_11;
+    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_13 = mul_f24_ftz_unit_copy2_phase_copy4[3] ? mul_f24_ftz_unit_copy2_b_choice_5 : mul_f24_ftz_unit_copy2_b_choice_12;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_14 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? tangent2_z_d1[20:0] : tangent2_z_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_15 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_14 : mul_f24_ftz_unit_copy2_b_choice_14;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_16 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? tangent2_y_d1[20:0] : tangent2_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_17 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_16 : mul_f24_ftz_unit_copy2_b_choice_16;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_18 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_15 : mul_f24_ftz_unit_copy2_b_choice_17;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_19 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? tangent1_y_d1[20:0] : tangent1_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_20 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? tangent1_y_d1[20:0] : center_z_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_21 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_19 : mul_f24_ftz_unit_copy2_b_choice_20;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_22 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? center_z_d1[20:0] : center_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_23 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? center_y_d1[20:0] : in_center_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_24 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_22 : mul_f24_ftz_unit_copy2_b_choice_23;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_25 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_21 : mul_f24_ftz_unit_copy2_b_choice_24;
+    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_26 = mul_f24_ftz_unit_copy2_phase_copy3[3] ? mul_f24_ftz_unit_copy2_b_choice_18 : mul_f24_ftz_unit_copy2_b_choice_25;
+    wire [5:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : add_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y[23:18] : add_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+    wire [5:0] add_f24_ftz_unit_a_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_a_choice_5 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_4;
+    wire [5:0] add_f24_ftz_unit_a_choice_6 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_5;
+    wire [5:0] add_f24_ftz_unit_a_choice_7 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : m03[23:18];
+    wire [5:0] add_f24_ftz_unit_a_choice_8 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_7;
+    wire [5:0] add_f24_ftz_unit_a_choice_9 = add_f24_ftz_unit_phase_copy2[0] ? m23[23:18] : add_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_a_choice_10 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_9 : add_f24_ftz_unit_a_choice_2;
+    wire [5:0] add_f24_ftz_unit_a_choice_11 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_8 : add_f24_ftz_unit_a_choice_10;
+    wire [5:0] add_f24_ftz_unit_a_choice_12 = add_f24_ftz_unit_phase_copy2[3] ? add_f24_ftz_unit_a_choice_6 : add_f24_ftz_unit_a_choice_11;
+    wire [17:0] add_f24_ftz_unit_a_choice_13 = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : add_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_a_choice_14 = add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y[17:0] : add_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_a_choice_15 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_13 : add_f24_ftz_unit_a_choice_14;
+    wire [17:0] add_f24_ftz_unit_a_choice_16 = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_a_choice_17 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_16 : add_f24_ftz_unit_a_choice_16;
+    wire [17:0] add_f24_ftz_unit_a_choice_18 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_15 : add_f24_ftz_unit_a_choice_17;
+    wire [17:0] add_f24_ftz_unit_a_choice_19 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_16 : add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : m03[17:0];
+    wire [17:0] add_f24_ftz_unit_a_choice_20 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? m23[17:0] : add_f24_ftz_unit_y[17:0]) : add_f24_ftz_unit_a_choice_14;
+    wire [17:0] add_f24_ftz_unit_a_choice_21 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_19 : add_f24_ftz_unit_a_choice_20;
+    wire [17:0] add_f24_ftz_unit_a_choice_22 = add_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_a_choice_18 : add_f24_ftz_unit_a_choice_21;
+    wire [5:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : m12_times_center_z_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy4[0] ? m02_times_center_z_d1[23:18] : m22_times_center_z_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+    wire [5:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_4;
+    wire [5:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_5;
+    wire [5:0] add_f24_ftz_unit_b_choice_7 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_8 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_7;
+    wire [5:0] add_f24_ftz_unit_b_choice_9 = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_10 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
+    wire [5:0] add_f24_ftz_unit_b_choice_11 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_9 : add_f24_ftz_unit_b_choice_10;
+    wire [5:0] add_f24_ftz_unit_b_choice_12 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_8 : add_f24_ftz_unit_b_choice_11;
+    wire [5:0] add_f24_ftz_unit_b_choice_13 = add_f24_ftz_unit_phase_copy4[3] ? add_f24_ftz_unit_b_choice_6 : add_f24_ftz_unit_b_choice_12;
+    wire [17:0] add_f24_ftz_unit_b_choice_14 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : m12_times_center_z_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_15 = add_f24_ftz_unit_phase_copy3[0] ? m02_times_center_z_d1[17:0] : m22_times_center_z_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_16 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_14 : add_f24_ftz_unit_b_choice_15;
+    wire [17:0] add_f24_ftz_unit_b_choice_17 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_18 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_17 : add_f24_ftz_unit_b_choice_17;
+    wire [17:0] add_f24_ftz_unit_b_choice_19 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_16 : add_f24_ftz_unit_b_choice_18;
+    wire [17:0] add_f24_ftz_unit_b_choice_20 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_21 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_17 : add_f24_ftz_unit_b_choice_20;
+    wire [17:0] add_f24_ftz_unit_b_choice_22 = add_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_23 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_b_choice_24 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_22 : add_f24_ftz_unit_b_choice_23;
+    wire [17:0] add_f24_ftz_unit_b_choice_25 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_21 : add_f24_ftz_unit_b_choice_24;
+    wire [17:0] add_f24_ftz_unit_b_choice_26 = add_f24_ftz_unit_phase_copy3[3] ? add_f24_ftz_unit_b_choice_19 : add_f24_ftz_unit_b_choice_25;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_y : v2_z_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? (add_f24_ftz_unit_copy2_phase[0] ? v2_z_sum_d1 : v2_y_sum_d1) : add_f24_ftz_unit_copy2_phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? m22_times_tangent2_z_d1 : m12_times_tangent2_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_y;
 
-    assign in_ready = load_0;
-    assign {
-        out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
-        out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2
-    } = queue_out_data;
-
-    stream_skid_w265 queue (
-        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
-        .in_data({
-            end_d2, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, add_f24_ftz_unit_copy2_y,
-            attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y} = queue_1_out_data;
+    assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
+    );
+
+    stream_fifo_d3_w121_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({end_d2, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d3_w128_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({v1_z_d1, v2_x_d1, v2_y_d1, add_f24_ftz_unit_copy2_y, attribute_0_out_d1, attribute_1_out_d1}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
+    );
+
+    stream_fifo_d3_w16_distributed queue_3 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready), .in_data(attribute_2_out_d1),
+        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(out_attribute_2)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 4'd0;
-            load_0 <= 1'd1;
-            load_1 <= 1'd0;
-            load_2 <= 1'd0;
-            load_5 <= 1'd0;
-            load_6 <= 1'd0;
-            load_8 <= 1'd0;
-            load_9 <= 1'd0;
-            load_10 <= 1'd0;
-            load_11 <= 1'd0;
-            load_12 <= 1'd0;
-            load_13 <= 1'd0;
-            load_14 <= 1'd0;
+            credits <= 3'd2;
+            phases_1 <= 16'd1;
+            phases_2 <= 16'd1;
+            phases_3 <= 16'd1;
+            mul_f24_ftz_unit_phase <= 4'd0;
+            mul_f24_ftz_unit_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_phase_copy4 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
+            mul_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
+            add_f24_ftz_unit_phase <= 4'd0;
+            add_f24_ftz_unit_phase_copy2 <= 4'd0;
+            add_f24_ftz_unit_phase_copy3 <= 4'd0;
+            add_f24_ftz_unit_phase_copy4 <= 4'd0;
+            add_f24_ftz_unit_copy2_phase <= 4'd0;
+            add_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
             in_flight <= 2'd0;
+            left <= 1'd0;
+            dropped <= 1'd0;
         end else begin
-            phase <= phase_next;
-            load_0 <= advance_next & (phase_next == 4'd0);
-            load_1 <= advance_next & (phase_next == 4'd1);
-            load_2 <= advance_next & (phase_next == 4'd2);
-            load_5 <= advance_next & (phase_next == 4'd5);
-            load_6 <= advance_next & (phase_next == 4'd6);
-            load_8 <= advance_next & (phase_next == 4'd8);
-            load_9 <= advance_next & (phase_next == 4'd9);
-            load_10 <= advance_next & (phase_next == 4'd10);
-            load_11 <= advance_next & (phase_next == 4'd11);
-            load_12 <= advance_next & (phase_next == 4'd12);
-            load_13 <= advance_next & (phase_next == 4'd13);
-            load_14 <= advance_next & (phase_next == 4'd14);
-            if (load_0) in_flight <= {in_flight[0], in_valid};
+            credits <= (credits - {2'd0, in_valid_and_in_ready}) + {2'd0, left} + {2'd0, dropped};
+            phases_1 <= {phases_1[14:0], phases_1[15]};
+            phases_2 <= {phases_2[14:0], phases_2[15]};
+            phases_3 <= {phases_3[14:0], phases_3[15]};
+            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 4'd15) ? (mul_f24_ftz_unit_phase - 4'd15) : (mul_f24_ftz_unit_phase + 4'd1);
+            mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_phase_copy3 <= (mul_f24_ftz_unit_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_phase_copy4 <= (mul_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_phase_copy4 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 4'd15) ? (mul_f24_ftz_unit_copy2_phase - 4'd15) : (mul_f24_ftz_unit_copy2_phase + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy3 <= (mul_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
+            mul_f24_ftz_unit_copy2_phase_copy4 <= (mul_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
+            add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 4'd15) ? (add_f24_ftz_unit_phase - 4'd15) : (add_f24_ftz_unit_phase + 4'd1);
+            add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_phase_copy2 - 4'd15) : (add_f24_ftz_unit_phase_copy2 + 4'd1);
+            add_f24_ftz_unit_phase_copy3 <= (add_f24_ftz_unit_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_phase_copy3 - 4'd15) : (add_f24_ftz_unit_phase_copy3 + 4'd1);
+            add_f24_ftz_unit_phase_copy4 <= (add_f24_ftz_unit_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_phase_copy4 - 4'd15) : (add_f24_ftz_unit_phase_copy4 + 4'd1);
+            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 4'd15) ? (add_f24_ftz_unit_copy2_phase - 4'd15) : (add_f24_ftz_unit_copy2_phase + 4'd1);
+            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
+            left <= out_valid & out_ready;
+            dropped <= in_flight_1_and_phases_1_14 & ~end_or_near_plane_below_u_z_d1;
+            if (phases_1[0]) in_flight <= {in_flight[0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
+        if (phases_1[0]) begin
             end_d1 <= in_end;
             end_d2 <= end_d1;
             attribute_0_d1 <= in_attribute_0;
@@ -7380,145 +9451,277 @@ module splat_transform (
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
+            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+        end
+        if (phases_1[8]) begin
+            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m22_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            v1_x_d1 <= add_f24_ftz_unit_y;
+        end
+        if (phases_1[9]) begin
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            v1_y_d1 <= add_f24_ftz_unit_y;
+        end
+        if (phases_1[11]) begin
+            u_x_d1 <= add_f24_ftz_unit_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (phases_1[12]) begin
+            u_y_d1 <= add_f24_ftz_unit_copy2_y;
+            end_or_near_plane_below_u_z_d1 <= end_or_near_plane_below_u_z;
+        end
+        if (phases_1[10]) begin
+            u_z_d1 <= add_f24_ftz_unit_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (phases_2[0]) begin
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
+        end
+        if (phases_3[0]) begin
             tangent2_z_d1 <= in_tangent2_z;
-            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
             attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
-            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
             attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
-            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
             attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
         end
-        if (load_8) begin
-            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            m22_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            v1_x_d1 <= add_f24_ftz_unit_y;
-        end
-        if (load_9) begin
-            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            v1_y_d1 <= add_f24_ftz_unit_y;
-        end
-        if (load_11) begin
-            u_x_d1 <= add_f24_ftz_unit_y;
-            v2_x_d1 <= add_f24_ftz_unit_copy2_y;
-        end
-        if (load_12) begin
-            u_y_d1 <= add_f24_ftz_unit_copy2_y;
-            end_or_near_plane_below_u_z_d1 <= end_or_near_plane_below_u_z;
-        end
-        if (load_10) begin
-            u_z_d1 <= add_f24_ftz_unit_y;
-            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
-        end
-        if (load_5) v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_1) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-        if (load_13) v2_y_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_6) v2_z_sum_d1 <= add_f24_ftz_unit_y;
-        if (load_2) m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-        if (load_14) begin
+        if (phases_1[5]) v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+        if (phases_1[1]) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+        if (phases_1[13]) v2_y_d1 <= add_f24_ftz_unit_copy2_y;
+        if (phases_1[6]) v2_z_sum_d1 <= add_f24_ftz_unit_y;
+        if (phases_1[2]) m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+        if (phases_1[14]) begin
             attribute_0_out_d1 <= attribute_0_out;
             attribute_1_out_d1 <= attribute_1_out;
             attribute_2_out_d1 <= attribute_2_out;
         end
-        if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
-            mul_f24_ftz_unit_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_b_choice : tangent2_x_d1) : mul_f24_ftz_unit_b_choice_4;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? tangent2_z_d1 : tangent2_y_d1) : mul_f24_ftz_unit_copy2_b_choice_3;
-            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? add_f24_ftz_unit_a_choice : mul_f24_ftz_unit_y) : add_f24_ftz_unit_a_choice_4;
-            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_b_choice_4;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_y : v2_z_sum_d1) : add_f24_ftz_unit_copy2_a_choice_2;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[2] ? add_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_y;
-        end
+        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_7, mul_f24_ftz_unit_a_choice_14};
+        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_14, mul_f24_ftz_unit_b_choice_28};
+        mul_f24_ftz_unit_copy2_a <= {mul_f24_ftz_unit_copy2_a_choice_7, mul_f24_ftz_unit_copy2_a_choice_14};
+        mul_f24_ftz_unit_copy2_b <= {mul_f24_ftz_unit_copy2_b_choice_13, mul_f24_ftz_unit_copy2_b_choice_26};
+        add_f24_ftz_unit_a <= {add_f24_ftz_unit_a_choice_12, add_f24_ftz_unit_a_choice_22};
+        add_f24_ftz_unit_b <= {add_f24_ftz_unit_b_choice_13, add_f24_ftz_unit_b_choice_26};
+        add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[3] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_3;
+        add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[3] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_5;
     end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
 
 `ifdef RTL_ASSERT
-    reg load_3, load_4, load_7, load_15;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            load_3 <= 1'd0;
-            load_4 <= 1'd0;
-            load_7 <= 1'd0;
-            load_15 <= 1'd0;
-        end else begin
-            load_3 <= advance_next & (phase_next == 4'd3);
-            load_4 <= advance_next & (phase_next == 4'd4);
-            load_7 <= advance_next & (phase_next == 4'd7);
-            load_15 <= advance_next & (phase_next == 4'd15);
-        end
-    end
+    wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & ((mul_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_2 = check_both & ((mul_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 4'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 4'd1)));
-        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 4'd2)));
-        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 4'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 4'd4)));
-        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 4'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 4'd6)));
-        load_7_in_phase: assert (load_7 == (queue_in_ready & (phase == 4'd7)));
-        load_8_in_phase: assert (load_8 == (queue_in_ready & (phase == 4'd8)));
-        load_9_in_phase: assert (load_9 == (queue_in_ready & (phase == 4'd9)));
-        load_10_in_phase: assert (load_10 == (queue_in_ready & (phase == 4'd10)));
-        load_11_in_phase: assert (load_11 == (queue_in_ready & (phase == 4'd11)));
-        load_12_in_phase: assert (load_12 == (queue_in_ready & (phase == 4'd12)));
-        load_13_in_phase: assert (load_13 == (queue_in_ready & (phase == 4'd13)));
-        load_14_in_phase: assert (load_14 == (queue_in_ready & phase_is_14));
-        load_15_in_phase: assert (load_15 == (queue_in_ready & phase_is_15));
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+        queue_3_in_step: assert (queue_3_out_valid == out_valid);
+        phases_are_in_step: assert (check_both_12 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]));
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 4'd0)))) begin
-            $display("assertion failed: load_0_in_phase in %m"); $stop;
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
-            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
-            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        if (!(~kept | queue_3_in_ready)) begin
+            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
-            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
-        if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
-            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        if (!(queue_3_out_valid == out_valid)) begin
+            $display("assertion failed: queue_3_in_step in %m"); $stop;
         end
-        if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
-            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        if (!(check_both_12 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]))) begin
+            $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
-        if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
-            $display("assertion failed: load_6_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 3
+// width = 16
+// storage = distributed
+module stream_fifo_d3_w16_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [15:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [15:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [15:0] entries [0:2];
+    reg [1:0] held, waiting, write_address, read_address;
+    reg [15:0] item;
+
+    wire has_room = ~(held == 2'd3);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 2'd0;
+            waiting <= 2'd0;
+            write_address <= 2'd0;
+            read_address <= 2'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {1'd0, push}) - {1'd0, pop};
+            waiting <= (waiting + {1'd0, push}) - {1'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 2'd2) ? 2'd0 : (write_address + 2'd1);
+            if (fetch) read_address <= (read_address == 2'd2) ? 2'd0 : (read_address + 2'd1);
         end
-        if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
-            $display("assertion failed: load_7_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {1'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {1'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
-            $display("assertion failed: load_8_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 3
+// width = 128
+// storage = distributed
+module stream_fifo_d3_w128_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [127:0] entries [0:2];
+    reg [1:0] held, waiting, write_address, read_address;
+    reg [127:0] item;
+
+    wire has_room = ~(held == 2'd3);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 2'd0;
+            waiting <= 2'd0;
+            write_address <= 2'd0;
+            read_address <= 2'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {1'd0, push}) - {1'd0, pop};
+            waiting <= (waiting + {1'd0, push}) - {1'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 2'd2) ? 2'd0 : (write_address + 2'd1);
+            if (fetch) read_address <= (read_address == 2'd2) ? 2'd0 : (read_address + 2'd1);
         end
-        if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
-            $display("assertion failed: load_9_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {1'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {1'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
-        if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
-            $display("assertion failed: load_10_in_phase in %m"); $stop;
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 3
+// width = 121
+// storage = distributed
+module stream_fifo_d3_w121_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [120:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [120:0] entries [0:2];
+    reg [1:0] held, waiting, write_address, read_address;
+    reg [120:0] item;
+
+    wire has_room = ~(held == 2'd3);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 2'd0;
+            waiting <= 2'd0;
+            write_address <= 2'd0;
+            read_address <= 2'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {1'd0, push}) - {1'd0, pop};
+            waiting <= (waiting + {1'd0, push}) - {1'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 2'd2) ? 2'd0 : (write_address + 2'd1);
+            if (fetch) read_address <= (read_address == 2'd2) ? 2'd0 : (read_address + 2'd1);
         end
-        if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
-            $display("assertion failed: load_11_in_phase in %m"); $stop;
-        end
-        if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
-            $display("assertion failed: load_12_in_phase in %m"); $stop;
-        end
-        if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
-            $display("assertion failed: load_13_in_phase in %m"); $stop;
-        end
-        if (!(load_14 == (queue_in_ready & phase_is_14))) begin
-            $display("assertion failed: load_14_in_phase in %m"); $stop;
-        end
-        if (!(load_15 == (queue_in_ready & phase_is_15))) begin
-            $display("assertion failed: load_15_in_phase in %m"); $stop;
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (1'd1);
+        held_is_waiting_and_shown: assert (held == (waiting + {1'd0, out_valid}));
+`else
+        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {1'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -7712,49 +9915,6 @@ module float_mul_s4_f24ftz (
     end
 
     wire _unused = &{1'b0, significand_s3[17]};
-endmodule
-
-// Queue of two in registers.
-// width = 265
-module stream_skid_w265 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [264:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [264:0] out_data
-);
-    reg second_valid;
-    reg [264:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Memory with registered reads, in slices that are memories of the device each.

@@ -755,6 +755,49 @@ module stream_fifo_d4_w43 (
 `endif
 endmodule
 
+// Queue of two in registers.
+// width = 43
+module stream_skid_w43 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
+);
+    reg second_valid;
+    reg [42:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Fetches leaves and computes the distances of their points.
 // threads = 4
 // lanes = 1
@@ -930,127 +973,162 @@ module search_distance (
     reg [23:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
     reg [18:0] delay_22_from_0 [0:20];
+    reg [5:0] credits;
     reg [2:0] delay_6_from_0_pointer;
     reg [23:0] delay_6_from_0_out;
     reg [4:0] delay_22_from_0_pointer;
     reg [18:0] delay_22_from_0_out;
     reg [21:0] in_flight;
+    reg left;
 
-    wire [42:0] queue_out_data;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
+    wire queue_1_in_ready;
+    wire [42:0] queue_1_out_data;
 
+    assign in_ready = ~credits[5];
+    wire kept = in_flight[21];
     wire [1:0] thread_d22 = delay_22_from_0_out[1:0];
     wire [15:0] address_d22 = delay_22_from_0_out[17:2];
     wire last_d22 = delay_22_from_0_out[18];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {out_thread, out_address, out_last, out_distance0} = queue_out_data;
-
-    stream_skid_w43 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[21]), .in_ready(in_ready),
-        .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_thread, out_address, out_last, out_distance0} = queue_1_out_data;
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}),
-        .y(add_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}), .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
+        .clk(clk), .enable(1'd1), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
+        .clk(clk), .enable(1'd1), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy3_y)
+    );
+
+    stream_fifo_d26_w43_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 6'd25;
             delay_6_from_0_pointer <= 3'd0;
             delay_22_from_0_pointer <= 5'd0;
             in_flight <= 22'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {5'd0, in_valid_and_in_ready}) + {5'd0, left};
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[20:0], in_valid};
+            in_flight <= {in_flight[20:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_22_from_0[delay_22_from_0_pointer] <= {in_last, in_address, in_thread};
-        end
-        if (in_ready) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
+        delay_22_from_0[delay_22_from_0_pointer] <= {in_last, in_address, in_thread};
+        delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
+
+    wire _unused = &{1'b0, queue_1_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
-// Queue of two in registers.
+// Queue in a memory with a registered output.
+// depth = 26
 // width = 43
-module stream_skid_w43 (
+// storage = distributed
+module stream_fifo_d26_w43_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [42:0] out_data
 );
-    reg second_valid;
-    reg [42:0] head, second;
+    (* ram_style = "distributed" *)
+    reg [42:0] entries [0:25];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [42:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    wire has_room = ~(held == 5'd26);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_data = head;
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
             out_valid <= 1'd0;
-            second_valid <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd25) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd25) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        held_in_range: assert (held <= 5'd26);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(held <= 5'd26)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -1589,46 +1667,69 @@ module search_path (
     reg [9:0] delay_10_from_0 [0:8];
     reg [3:0] delay_10_from_0_pointer;
     reg [9:0] delay_10_from_0_out, in_flight;
+    reg shown, shown_is_leaf;
+    reg [1:0] shown_thread;
+    reg [6:0] shown_node;
+    reg [23:0] shown_distance2;
 
-    wire [33:0] queue_out_data;
     wire [23:0] add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
 
+    wire kept = in_flight[9];
     wire is_leaf_d10 = delay_10_from_0_out[0];
     wire [1:0] thread_d10 = delay_10_from_0_out[2:1];
     wire [6:0] node_d10 = delay_10_from_0_out[9:3];
 
-    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
-
-    stream_skid_w34 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
-        .in_data({is_leaf_d10, thread_d10, node_d10, mul_f24_ftz_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign in_ready = 1'd1;
+    assign out_valid = shown;
+    assign out_is_leaf = shown_is_leaf;
+    assign out_thread = shown_thread;
+    assign out_node = shown_node;
+    assign out_distance2 = shown_distance2;
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
+        .clk(clk), .enable(1'd1), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (in_ready) begin
+            shown <= 1'd0;
+        end else begin
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             in_flight <= {in_flight[8:0], in_valid};
+            shown <= kept;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
-        end
-        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        shown_is_leaf <= is_leaf_d10;
+        shown_thread <= thread_d10;
+        shown_node <= node_d10;
+        shown_distance2 <= mul_f24_ftz_unit_y;
     end
+    always @(posedge clk) begin
+        delay_10_from_0[delay_10_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
+        delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, out_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        results_are_taken: assert (~shown | out_ready);
+`else
+        if (!(~shown | out_ready)) begin
+            $display("assertion failed: results_are_taken in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point product.
@@ -1794,49 +1895,6 @@ module float_add_s6_f24ftz (
     end
 
     wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_s3_sum[0]};
-endmodule
-
-// Queue of two in registers.
-// width = 34
-module stream_skid_w34 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
-);
-    reg second_valid;
-    reg [33:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Queue of two in registers.

@@ -2043,6 +2043,49 @@ module stream_fifo_d16_w155 (
 `endif
 endmodule
 
+// Queue of two in registers.
+// width = 155
+module stream_skid_w155 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+);
+    reg second_valid;
+    reg [154:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Fetches leaves and computes the distances of their points.
 // threads = 16
 // lanes = 4
@@ -2191,16 +2234,21 @@ module search_distance (
     output wire [31:0] out_distance1, output wire [31:0] out_distance2, output wire [31:0] out_distance3
 );
     (* ram_style = "distributed" *)
-    reg [127:0] delay_6_from_0 [0:4];
+    reg [95:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0_copy2 [0:4];
     (* ram_style = "distributed" *)
     reg [26:0] delay_23_from_0 [0:21];
+    reg [5:0] credits;
     reg [2:0] delay_6_from_0_pointer;
-    reg [127:0] delay_6_from_0_out;
+    reg [95:0] delay_6_from_0_out;
+    reg [2:0] delay_6_from_0_copy2_pointer;
+    reg [31:0] delay_6_from_0_copy2_out;
     reg [4:0] delay_23_from_0_pointer;
     reg [26:0] delay_23_from_0_out;
     reg [22:0] in_flight;
+    reg left;
 
-    wire [154:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
     wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
@@ -2211,241 +2259,348 @@ module search_distance (
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
+    wire queue_1_in_ready;
+    wire [122:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
 
-    wire [3:0] thread_d23 = delay_23_from_0_out[3:0];
-    wire [21:0] address_d23 = delay_23_from_0_out[25:4];
-    wire last_d23 = delay_23_from_0_out[26];
+    assign in_ready = ~credits[5];
     wire [31:0] minus_in_query_x = {~in_query_x[31], in_query_x[30:0]};
     wire [31:0] minus_in_query_y = {~in_query_y[31], in_query_y[30:0]};
     wire [31:0] minus_in_query_z = {~in_query_z[31], in_query_z[30:0]};
     wire [31:0] offset_z_squared_d6 = delay_6_from_0_out[31:0];
     wire [31:0] offset_z_squared_d6_copy2 = delay_6_from_0_out[63:32];
     wire [31:0] offset_z_squared_d6_copy3 = delay_6_from_0_out[95:64];
-    wire [31:0] offset_z_squared_d6_copy4 = delay_6_from_0_out[127:96];
+    wire kept = in_flight[22];
+    wire [3:0] thread_d23 = delay_23_from_0_out[3:0];
+    wire [21:0] address_d23 = delay_23_from_0_out[25:4];
+    wire last_d23 = delay_23_from_0_out[26];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
-
-    stream_skid_w155 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[22]), .in_ready(in_ready),
-        .in_data({
-            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
-            add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy20_y
-        }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2} = queue_1_out_data;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(1'd1), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy19_y), .b(offset_z_squared_d6_copy4),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_copy2_out),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    stream_fifo_d27_w123_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({
+            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
+            add_f32_ftz_unit_copy15_y
+        }),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d27_w32_distributed queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data(add_f32_ftz_unit_copy20_y),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(out_distance3)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 6'd26;
             delay_6_from_0_pointer <= 3'd0;
+            delay_6_from_0_copy2_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
             in_flight <= 23'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {5'd0, in_valid_and_in_ready}) + {5'd0, left};
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_6_from_0_copy2_pointer <= (delay_6_from_0_copy2_pointer == 3'd4) ? (delay_6_from_0_copy2_pointer - 3'd4) : (delay_6_from_0_copy2_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[21:0], in_valid};
+            in_flight <= {in_flight[21:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy12_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
-                mul_f32_ftz_unit_copy3_y
-            };
-        end
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= {mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy3_y};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
-        end
-        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+        delay_6_from_0_copy2[delay_6_from_0_copy2_pointer] <= mul_f32_ftz_unit_copy12_y;
+        delay_6_from_0_copy2_out <= delay_6_from_0_copy2[delay_6_from_0_copy2_pointer];
     end
+    always @(posedge clk) begin
+        delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
+        delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
-// Queue of two in registers.
-// width = 155
-module stream_skid_w155 (
+// Queue in a memory with a registered output.
+// depth = 27
+// width = 32
+// storage = distributed
+module stream_fifo_d27_w32_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
 );
-    reg second_valid;
-    reg [154:0] head, second;
+    (* ram_style = "distributed" *)
+    reg [31:0] entries [0:26];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [31:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    wire has_room = ~(held == 5'd27);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_data = head;
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
             out_valid <= 1'd0;
-            second_valid <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        held_in_range: assert (held <= 5'd27);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 27
+// width = 123
+// storage = distributed
+module stream_fifo_d27_w123_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [122:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [122:0] entries [0:26];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [122:0] item;
+
+    wire has_room = ~(held == 5'd27);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd27);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -3042,85 +3197,65 @@ module search_path (
     reg [3:0] delay_11_from_0_pointer;
     reg [25:0] delay_11_from_0_out;
     reg [10:0] in_flight;
+    reg shown, shown_is_leaf;
+    reg [3:0] shown_thread;
+    reg [20:0] shown_node;
+    reg [31:0] shown_distance2;
 
-    wire [57:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
+    wire kept = in_flight[10];
     wire is_leaf_d11 = delay_11_from_0_out[0];
     wire [3:0] thread_d11 = delay_11_from_0_out[4:1];
     wire [20:0] node_d11 = delay_11_from_0_out[25:5];
 
-    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
-
-    stream_skid_w58 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[10]), .in_ready(in_ready),
-        .in_data({is_leaf_d11, thread_d11, node_d11, mul_f32_ftz_unit_y}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign in_ready = 1'd1;
+    assign out_valid = shown;
+    assign out_is_leaf = shown_is_leaf;
+    assign out_thread = shown_thread;
+    assign out_node = shown_node;
+    assign out_distance2 = shown_distance2;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
+        .clk(clk), .enable(1'd1), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_11_from_0_pointer <= 4'd0;
             in_flight <= 11'd0;
-        end else if (in_ready) begin
+            shown <= 1'd0;
+        end else begin
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
             in_flight <= {in_flight[9:0], in_valid};
+            shown <= kept;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
-        end
-        if (in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
-    end
-endmodule
-
-// Queue of two in registers.
-// width = 58
-module stream_skid_w58 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [57:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [57:0] out_data
-);
-    reg second_valid;
-    reg [57:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
+        shown_is_leaf <= is_leaf_d11;
+        shown_thread <= thread_d11;
+        shown_node <= node_d11;
+        shown_distance2 <= mul_f32_ftz_unit_y;
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
+        delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
+        delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
+
+    wire _unused = &{1'b0, out_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        results_are_taken: assert (~shown | out_ready);
 `else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        if (!(~shown | out_ready)) begin
+            $display("assertion failed: results_are_taken in %m"); $stop;
         end
 `endif
     end
@@ -4660,10 +4795,15 @@ module search_cover (
     reg [5:0] delay_37_from_0_pointer;
     reg [103:0] delay_37_from_0_out;
     reg [36:0] in_flight;
+    reg shown;
+    reg [2:0] shown_entry;
+    reg [31:0] shown_x, shown_y, shown_z, shown_c;
+    reg shown_leads;
+    reg [3:0] shown_leader;
 
-    wire [135:0] queue_out_data;
     wire [31:0] sqrt_f32_ftz_unit_y, sqrt_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, add_f32_ftz_unit_y;
 
+    wire kept = in_flight[36];
     wire [2:0] entry_d37 = delay_37_from_0_out[2:0];
     wire [31:0] x_d37 = delay_37_from_0_out[34:3];
     wire [31:0] y_d37 = delay_37_from_0_out[66:35];
@@ -4671,26 +4811,25 @@ module search_cover (
     wire leads_d37 = delay_37_from_0_out[99];
     wire [3:0] leader_d37 = delay_37_from_0_out[103:100];
 
-    assign {out_entry, out_x, out_y, out_z, out_c, out_leads, out_leader} = queue_out_data;
+    assign in_ready = 1'd1;
+    assign out_valid = shown;
+    assign out_entry = shown_entry;
+    assign out_x = shown_x;
+    assign out_y = shown_y;
+    assign out_z = shown_z;
+    assign out_c = shown_c;
+    assign out_leads = shown_leads;
+    assign out_leader = shown_leader;
 
-    stream_skid_w136 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[36]), .in_ready(in_ready),
-        .in_data({entry_d37, x_d37, y_d37, z_d37, add_f32_ftz_unit_y, leads_d37, leader_d37}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
-
-    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (.clk(clk), .enable(in_ready), .a(in_far2), .y(sqrt_f32_ftz_unit_y));
-
-    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_near2), .y(sqrt_f32_ftz_unit_copy2_y)
-    );
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (.clk(clk), .enable(1'd1), .a(in_far2), .y(sqrt_f32_ftz_unit_y));
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (.clk(clk), .enable(1'd1), .a(in_near2), .y(sqrt_f32_ftz_unit_copy2_y));
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(sqrt_f32_ftz_unit_y), .b(far_scale), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(sqrt_f32_ftz_unit_y), .b(far_scale), .y(mul_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(delay_5_from_0_out), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_y), .b(delay_5_from_0_out), .y(add_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
@@ -4698,24 +4837,45 @@ module search_cover (
             delay_5_from_0_pointer <= 2'd0;
             delay_37_from_0_pointer <= 6'd0;
             in_flight <= 37'd0;
-        end else if (in_ready) begin
+            shown <= 1'd0;
+        end else begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
             in_flight <= {in_flight[35:0], in_valid};
+            shown <= kept;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-        end
-        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        shown_entry <= entry_d37;
+        shown_x <= x_d37;
+        shown_y <= y_d37;
+        shown_z <= z_d37;
+        shown_c <= add_f32_ftz_unit_y;
+        shown_leads <= leads_d37;
+        shown_leader <= leader_d37;
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_37_from_0[delay_37_from_0_pointer] <= {in_leader, in_leads, in_z, in_y, in_x, in_entry};
-        end
-        if (in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
+        delay_5_from_0[delay_5_from_0_pointer] <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+        delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
+    always @(posedge clk) begin
+        delay_37_from_0[delay_37_from_0_pointer] <= {in_leader, in_leads, in_z, in_y, in_x, in_entry};
+        delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, out_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        results_are_taken: assert (~shown | out_ready);
+`else
+        if (!(~shown | out_ready)) begin
+            $display("assertion failed: results_are_taken in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Floating-point square root, correctly rounded.
@@ -5042,49 +5202,6 @@ module float_sqrt_s26_f32ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 136
-module stream_skid_w136 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [135:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [135:0] out_data
-);
-    reg second_valid;
-    reg [135:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue of two in registers.
 // width = 82
 module stream_skid_w82 (
     input  wire clk, input wire rst,
@@ -5193,6 +5310,7 @@ module search_check (
     reg delay_23_from_0 [0:21];
     (* ram_style = "distributed" *)
     reg [12:0] delay_25_from_0 [0:23];
+    reg [5:0] credits;
     reg [2:0] delay_6_from_0_pointer;
     reg [31:0] delay_6_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
@@ -5202,124 +5320,200 @@ module search_check (
     reg [4:0] delay_25_from_0_pointer;
     reg [12:0] delay_25_from_0_out;
     reg [24:0] in_flight;
+    reg left;
 
-    wire [45:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
     wire [31:0] mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y;
-    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y;
+    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y, queue_1_in_ready;
+    wire [45:0] queue_1_out_data;
 
+    assign in_ready = ~credits[5];
+    wire [31:0] margin_d7 = delay_7_from_0_out[31:0];
+    wire kept = in_flight[24];
     wire [2:0] entry_d25 = delay_25_from_0_out[2:0];
     wire last_d25 = delay_25_from_0_out[3];
     wire present_d25 = delay_25_from_0_out[4];
     wire [7:0] version_d25 = delay_25_from_0_out[12:5];
     wire [31:0] margin_d14 = delay_7_from_0_out[63:32];
     wire covered_out = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
-    wire [31:0] margin_d7 = delay_7_from_0_out[31:0];
+    wire in_valid_and_in_ready = in_valid & in_ready;
 
-    assign {out_entry, out_last, out_present, out_version, out_margin, out_covered} = queue_out_data;
-
-    stream_skid_w46 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[24]), .in_ready(in_ready),
-        .in_data({entry_d25, last_d25, present_d25, version_d25, margin_d14, covered_out}),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
-    );
+    assign {out_entry, out_last, out_present, out_version, out_margin, out_covered} = queue_1_out_data;
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_x), .b({~in_entry_x[31], in_entry_x[30:0]}),
-        .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_x), .b({~in_entry_x[31], in_entry_x[30:0]}), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(in_y), .b({~in_entry_y[31], in_entry_y[30:0]}),
+        .clk(clk), .enable(1'd1), .a(in_y), .b({~in_entry_y[31], in_entry_y[30:0]}),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(in_z), .b({~in_entry_z[31], in_entry_z[30:0]}),
+        .clk(clk), .enable(1'd1), .a(in_z), .b({~in_entry_z[31], in_entry_z[30:0]}),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(in_entry_c), .b({~in_reach[31], in_reach[30:0]}),
+        .clk(clk), .enable(1'd1), .a(in_entry_c), .b({~in_reach[31], in_reach[30:0]}),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy2_y), .b(mul_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy2_y), .b(mul_f32_ftz_unit_copy3_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(margin_scale), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy4_y), .b(margin_scale), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(margin_d7), .b(margin_d7), .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(margin_d7), .b(margin_d7), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(in_reach), .b(in_entry_c), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(in_reach), .b(in_entry_c), .y(lt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy6_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(lt_f32_ftz_unit_copy2_y)
+    );
+
+    stream_fifo_d29_w46_distributed queue_1 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
+        .in_data({entry_d25, last_d25, present_d25, version_d25, margin_d14, covered_out}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            credits <= 6'd28;
             delay_6_from_0_pointer <= 3'd0;
             delay_7_from_0_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
             in_flight <= 25'd0;
-        end else if (in_ready) begin
+            left <= 1'd0;
+        end else begin
+            credits <= (credits - {5'd0, in_valid_and_in_ready}) + {5'd0, left};
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[23:0], in_valid};
+            in_flight <= {in_flight[23:0], in_valid_and_in_ready};
+            left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy4_y;
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy4_y;
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {margin_d7, mul_f32_ftz_unit_y};
-        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        delay_7_from_0[delay_7_from_0_pointer] <= {margin_d7, mul_f32_ftz_unit_y};
+        delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_23_from_0[delay_23_from_0_pointer] <= lt_f32_ftz_unit_y;
-        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+        delay_23_from_0[delay_23_from_0_pointer] <= lt_f32_ftz_unit_y;
+        delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            delay_25_from_0[delay_25_from_0_pointer] <= {in_version, in_present, in_last, in_entry};
+        delay_25_from_0[delay_25_from_0_pointer] <= {in_version, in_present, in_last, in_entry};
+        delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, queue_1_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+`else
+        if (!(~kept | queue_1_in_ready)) begin
+            $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
         end
-        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+`endif
     end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 29
+// width = 46
+// storage = distributed
+module stream_fifo_d29_w46_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [45:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [45:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [45:0] entries [0:28];
+    reg [4:0] held, waiting, write_address, read_address;
+    reg [45:0] item;
+
+    wire has_room = ~(held == 5'd29);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 5'd0;
+            read_address <= 5'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= (write_address == 5'd28) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd28) ? 5'd0 : (read_address + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd29);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd29)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -5526,49 +5720,6 @@ module float_add_s6_f32ftz (
     end
 
     wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_s3_sum[0]};
-endmodule
-
-// Queue of two in registers.
-// width = 46
-module stream_skid_w46 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [45:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [45:0] out_data
-);
-    reg second_valid;
-    reg [45:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
 endmodule
 
 // Queue of two in registers.
