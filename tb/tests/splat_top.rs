@@ -6,11 +6,10 @@ use pointcore::splat::activity::{State, Unit};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
-use pointcore_contract::words;
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
 
-use crate::splat::{RUNS, configs, fixed_configs, integer_configs, knobs, scene, stalls};
+use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, scene, stalls};
 use crate::support;
 
 /// Splats and ends of several frames.
@@ -41,13 +40,6 @@ fn adds_up(SplatOutcome { activity, counters, simulated_cycles, .. }: &SplatOutc
     assert_eq!(timeline.cycles(), *simulated_cycles);
     assert_eq!(timeline.total(Unit::Rasterizer, State::Held), events.blocked);
     assert_eq!(timeline.total(Unit::Accumulator, State::Tile), events.slot_wait);
-}
-
-/// Fragments of several rasterizers come in any order, those of several frames without a border between them.
-fn in_order(config: &Config, fragments: &mut [Fragment]) {
-    if config.rasterizers > 1 {
-        fragments.sort_unstable_by_key(|fragment| words(config, *fragment));
-    }
 }
 
 /// Hardware alone shows at its ports what the model shows there.

@@ -50,7 +50,7 @@ const INTERVAL_MAX: u32 = 8;
 pub(super) struct Load {
     /// Splats.
     pub splats: usize,
-    /// Samples within their bounds, of which the rasterizer takes one a cycle.
+    /// Samples within their bounds, of which a rasterizer takes one a cycle.
     pub samples: usize,
 }
 
@@ -65,9 +65,9 @@ impl Load {
         Self { splats: self.splats + other.splats, samples: self.samples + other.samples }
     }
 
-    /// The most cycles, a power of two, that a splat may take while samples take longer.
-    pub fn interval(self) -> u32 {
-        let cycles = SHARE * self.samples as f64 / self.splats.max(1) as f64;
+    /// The most cycles, a power of two, that a splat may take while samples in so many rasterizers take longer.
+    pub fn interval(self, rasterizers: u32) -> u32 {
+        let cycles = SHARE * self.samples as f64 / (self.splats.max(1) as f64 * f64::from(rasterizers));
         let longest = INTERVAL_MAX.ilog2();
         (0..=longest).rev().map(|power| 1 << power).find(|&interval| f64::from(interval) <= cycles).unwrap_or(1)
     }

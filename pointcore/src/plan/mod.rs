@@ -93,11 +93,13 @@ impl Plan {
         config.eye_plane = feature(demand.crossing > 0);
         config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
         config.cardinal = has_materials(scene).into();
-        config.heap_levels = config.heap_levels.min((demand.copies.max(2).ilog2() + 1).max(2));
-        config.splat_levels = config.splat_levels.min(demand.drawn.max(1).ilog2() + 1);
+        // As many copies wait in all lanes together as would in one.
+        let in_lane = |levels: u32| levels.saturating_sub(asked.rasterizer_bits());
+        config.heap_levels = in_lane(config.heap_levels.min(demand.copies.max(2).ilog2() + 1)).max(2);
+        config.splat_levels = in_lane(config.splat_levels.min(demand.drawn.max(1).ilog2() + 1));
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
-        let interval = demand.load.interval();
+        let interval = demand.load.interval(asked.rasterizers);
         (config.transform_interval, config.setup_interval) = (interval, interval);
         let mut choices = choices(scene, &config, &demand);
 

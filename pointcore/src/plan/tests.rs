@@ -226,7 +226,19 @@ fn a_splat_takes_as_long_as_its_samples_leave() {
     assert_eq!(interval(&DUST.replace("0.01", "0.2")), 8, "more than ten samples a splat");
     assert_eq!(interval(&DUST.replace("size = 1", "size = 30")), 1, "most of them beside the image");
     assert_eq!(
-        [(1, 0), (1, 1), (1, 2), (1, 3), (2, 11), (0, 0)].map(|(splats, samples)| Load { splats, samples }.interval()),
+        [(1, 0), (1, 1), (1, 2), (1, 3), (2, 11), (0, 0)].map(|(splats, samples)| Load { splats, samples }.interval(1)),
         [1, 1, 1, 2, 4, 1]
     );
+    assert_eq!([1, 2, 4, 8].map(|rasterizers| Load { splats: 1, samples: 30 }.interval(rasterizers)), [8, 8, 4, 2]);
+}
+
+#[test]
+fn lanes_together_hold_what_one_would() {
+    let planned = |rasterizers: u32| {
+        let text = format!("{HEAD}{DUST}[overrides]\nrasterizers = {rasterizers}\n");
+        let config = plan(&text).expect("the scene is good").config;
+        (config.heap_levels, config.splat_levels)
+    };
+    let (copies, splats) = planned(1);
+    assert_eq!(planned(4), (copies - 2, splats - 2));
 }

@@ -152,7 +152,7 @@ impl SplatReport {
             cycles,
             bounds,
             bound,
-            bound_fraction: share(bound.cycles),
+            bound_fraction: ratio(bound.cycles, cycles),
             cycles_per_splat: ratio(cycles, run.fates.total()),
             copies,
             cycles_per_copy: ratio(cycles, copies),

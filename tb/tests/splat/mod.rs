@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use pointcore::splat::mask::end_records;
 use pointcore_contract::splat::config::Reordering;
+use pointcore_contract::splat::records::Fragment;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Direction, Format, FragmentDepth, Interface, Record, Sampling, Words, fields, read, words};
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -32,6 +33,13 @@ const PATTERNS: [(Stall, Stall); RUNS as usize] = [
 /// When everything around a unit pauses, in the run with this seed.
 pub fn stalls(seed: u64) -> Stall {
     PATTERNS[(seed % RUNS) as usize].0
+}
+
+/// Puts fragments in an order that does not hang on stalls: those of several rasterizers come in any.
+pub fn in_order(config: &Config, fragments: &mut [Fragment]) {
+    if config.rasterizers > 1 {
+        fragments.sort_unstable_by_key(|fragment| words(config, *fragment));
+    }
 }
 
 /// Silence that ends a run: longer than any pipeline.
