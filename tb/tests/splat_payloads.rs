@@ -51,7 +51,7 @@ impl Shuffled {
             copy: stream("copy"),
             placed: stream("placed"),
             out: stream("out"),
-            copies: copies.to_vec().into_iter(),
+            copies: Vec::from(copies).into_iter(),
             between: vec![],
             room: random.usize(1..40),
             filled: false,

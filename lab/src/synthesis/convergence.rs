@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_router_that_comes_to_its_end_is_left_alone() {
-        let last = RECORDED.lines().filter_map(Iteration::parse).last();
+        let last = RECORDED.lines().filter_map(Iteration::parse).next_back();
         assert_eq!(last, Some(Iteration { number: 11, overused: 0 }));
         for end in 0..RECORDED.lines().count() {
             let begin: Vec<&str> = RECORDED.lines().take(end).collect();
