@@ -54,8 +54,10 @@ pub struct Collector {
     data: Skid<Pixel>,
     /// Pixels of the first of them that came.
     came: u8,
-    /// Sides whose frame has ended.
+    /// Sides whose frame has ended, until that of both has left.
     ended: [bool; 2],
+    /// The end of both was pushed.
+    closing: bool,
 }
 
 impl Default for Collector {
@@ -68,14 +70,16 @@ impl Default for Collector {
             data: Skid::default(),
             came: 0,
             ended: [false; 2],
+            closing: false,
         }
     }
 }
 
 impl Collector {
-    /// A read must find in memory what was written before it.
+    /// A read must find in memory what was written before it. A side that has ended asks for nothing: its pixels would wait for those of the
+    /// other side, whose data would wait behind its own.
     fn may_read(&self) -> bool {
-        self.order.in_ready() && self.write.out.out().is_none()
+        self.order.in_ready() && self.write.out.out().is_none() && !self.ended[self.read.turn]
     }
 
     /// The frame of the side whose turn it is goes on.
@@ -127,14 +131,18 @@ impl Model for Collector {
         let written = self.write.take(true, [inputs.low_write, inputs.high_write]);
         self.write.out.step(written.map(|(_, pixel)| pixel), inputs.write_ready);
 
-        let closes = self.ended == [true; 2] && self.pixel.out.in_ready();
+        let has_closed = self.closing && self.pixel.out.out().is_none();
+        let closes = self.ended == [true; 2] && !self.closing && self.pixel.out.in_ready();
         let finished = self.pixel.take(self.has_pixels(), [inputs.low_pixel, inputs.high_pixel]);
         for (side, _) in finished.iter().filter(|(_, pixel)| pixel.end) {
             self.ended[*side] = true;
         }
         let mut pixel = finished.map(|(_, pixel)| pixel).filter(|pixel| !pixel.end);
-        if closes {
+        self.closing = closes || (self.closing && !has_closed);
+        if has_closed {
             self.ended = [false; 2];
+        }
+        if closes {
             pixel = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
         }
         self.pixel.out.step(pixel, inputs.pixel_ready);

@@ -12,7 +12,7 @@ use crate::stream::{fifo_distributed, skid};
 use crate::units::ports::{QueueOut, StreamInPorts, StreamOutPorts};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Wired, layout};
-use rtl::{Expr, Module, lit};
+use rtl::{Expr, Module, Reg, lit};
 
 /// Pixels that are to come.
 #[record(config: Config)]
@@ -50,13 +50,16 @@ fn take<R: Record<Config = Config>>(
 }
 
 /// Leads requests to the memory, and data to the sides in their order.
-fn reads(m: &mut Module, config: &Config, writes: Expr) {
+fn reads(m: &mut Module, config: &Config, writes: Expr, ended: [Expr; 2]) {
     let read = PORTS.read.queue(m, config);
     let queue = fifo_distributed(COLLECTED_READS, &layout::<Awaited>(config));
     let (order, awaited) = Pushed::<Awaited>::place(m, config, "order", queue);
-    // A read must find in memory what was written before it.
+    // A read must find in memory what was written before it. A side that has ended asks for nothing: its pixels would wait for those of the
+    // other side, whose data would wait behind its own.
     let room = (read.room & order.room) & !writes;
-    let request = take::<PixelRun>(m, config, "read", [PORTS.low_read, PORTS.high_read], |_| room);
+    let [low, high] = ended;
+    let sides = [PORTS.low_read, PORTS.high_read];
+    let request = take::<PixelRun>(m, config, "read", sides, |turn| room & !turn.mux(high, low));
     read.push(m, config, request.moves, request.record);
     let run = Awaited { is_high: request.is_high, count: request.record.count };
     order.push(m, config, request.moves, run);
@@ -77,15 +80,17 @@ fn reads(m: &mut Module, config: &Config, writes: Expr) {
 }
 
 /// Leads finished pixels into one stream, which ends when both sides have.
-fn pixels(m: &mut Module, config: &Config, out: QueueOut<FinishedPixel>) {
-    let ended = ["low_ended", "high_ended"].map(|name| m.reg_reset(name, 1, 0));
+fn pixels(m: &mut Module, config: &Config, out: QueueOut<FinishedPixel>, ended: [Reg; 2]) {
     let [low, high] = ended;
     let sides = [PORTS.low_pixel, PORTS.high_pixel];
     let finished = take::<FinishedPixel>(m, config, "pixel", sides, |turn| out.room & !turn.mux(high, low));
-    let closes = m.wire("closes", (low & high) & out.room);
+    let closing = m.reg_reset("closing", 1, 0);
+    let closes = m.wire("closes", ((low & high) & !closing) & out.room);
+    let has_closed = m.wire("has_closed", closing & !out.holds);
+    m.next(closing, closes | (closing & !has_closed));
     let ends = m.wire("ends", finished.moves & finished.record.end);
     for (ended, is_side) in ended.into_iter().zip([!finished.is_high, finished.is_high]) {
-        m.next(ended, !closes & (ended | (ends & is_side)));
+        m.next(ended, !has_closed & (ended | (ends & is_side)));
     }
     let pushes = closes | (finished.moves & !finished.record.end);
     out.push(m, config, pushes, FinishedPixel { end: closes, ..finished.record });
@@ -96,11 +101,12 @@ fn pixels(m: &mut Module, config: &Config, out: QueueOut<FinishedPixel>) {
 pub fn module(config: &Config) -> Module {
     let mut m = Module::new("splat_collector", "Leads two sides to one memory, and their pixels into one stream.");
     let write = PORTS.write.queue(&mut m, config);
-    reads(&mut m, config, write.holds);
+    let ended = ["low_ended", "high_ended"].map(|name| m.reg_reset(name, 1, 0));
+    reads(&mut m, config, write.holds, ended.map(|ended| ended.expr()));
     let room = write.room;
     let written = take::<PlacedPixel>(&mut m, config, "write", [PORTS.low_write, PORTS.high_write], |_| room);
     write.push(&mut m, config, written.moves, written.record);
     let out = PORTS.pixel.queue(&mut m, config);
-    pixels(&mut m, config, out);
+    pixels(&mut m, config, out, ended);
     m
 }

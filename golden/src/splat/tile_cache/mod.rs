@@ -172,7 +172,8 @@ impl TileCache {
         if self.job.is_some() {
             return;
         }
-        if self.frame_ended && !self.slots.iter().any(|entry| entry.resident) {
+        let all_left = self.pixel.out().is_none();
+        if self.frame_ended && all_left && !self.slots.iter().any(|entry| entry.resident) {
             self.frame_ended = false;
             self.mode = Mode::Flush(Walk::FIRST);
             return;

@@ -75,12 +75,12 @@ fn sequence(
     state: &State,
     placement: &Placement,
     directory: &Directory,
-    [room, sample_reads]: [Expr; 2],
+    [room, all_left, sample_reads]: [Expr; 3],
 ) -> Steps {
     let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
     let flush = state.is(Mode::Flush);
     let waits = m.wire("waits", state.is(Mode::Wait) & state.no_job());
-    let finish = m.wire("finish", waits & (state.frame_ended & !directory.any_resident));
+    let finish = m.wire("finish", waits & ((state.frame_ended & all_left) & !directory.any_resident));
     let vacate = m.wire("vacate", waits & (directory.next_resident & directory.next_idle));
 
     let has_pixels = m.wire("has_pixels", state.seen & state.mask.any());
@@ -182,7 +182,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };
     PORTS.change.drive(&mut m, config, state.unchanged.any(), change);
     let sample_reads = PORTS.sample_reads.declare_word(&mut m, SLOT_BANKS);
-    let steps = sequence(&mut m, &state, &placement, &directory, [pixel.room, sample_reads]);
+    let steps = sequence(&mut m, &state, &placement, &directory, [pixel.room, !pixel.holds, sample_reads]);
     follow_job(&mut m, &state, &placement, &steps, &directory, tile);
     let masks = PORTS.masks.declare(&mut m, config);
     stored_masks(&mut m, config, &state, &steps, placement.start, tile, masks.written);
