@@ -3637,7 +3637,7 @@ module splat_tile_cache (
     wire last_place = &place;
     wire waits = (mode == 2'd2) & waits_inverted;
     wire any_resident = |{resident_0, resident_1};
-    wire finish = waits & (frame_ended & ~any_resident);
+    wire finish = waits & (frame_ended & ~pixel_valid & ~any_resident);
     wire goes_either = (~next & resident_0) | (next & resident_1);
     wire vacate = waits & (goes_either & vacate_either);
     wire job_starts = start | vacate;

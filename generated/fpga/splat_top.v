@@ -5297,7 +5297,7 @@ module splat_tile_cache (
     wire waits = (mode == 2'd2) & waits_inverted;
     wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
     wire any_resident = |any_resident_bits;
-    wire finish = waits & (frame_ended & ~any_resident);
+    wire finish = waits & (frame_ended & ~pixel_valid & ~any_resident);
     wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
     wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
     wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);

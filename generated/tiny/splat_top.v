@@ -3798,7 +3798,7 @@ module splat_tile_cache (
     wire last_place = &place;
     wire waits = (mode == 2'd2) & waits_inverted;
     wire any_resident = |{resident_0, resident_1, resident_2, resident_3};
-    wire finish = waits & (frame_ended & ~any_resident);
+    wire finish = waits & (frame_ended & ~pixel_valid & ~any_resident);
     wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
     wire goes_either_2 = goes_either | (next_is_3 & resident_3);
     wire vacate = waits & (goes_either_2 & vacate_either_2);
