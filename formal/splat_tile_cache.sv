@@ -172,14 +172,21 @@ module proof (input clk);
     assign data_weight = {28{data}}, data_depth = {52{data}}, data_attribute_0 = {ATTRIBUTE_BITS{data}};
 
 `ifdef STEADY
-    // All but the buffer's writes go on at once, samples have the banks in every second cycle, and of each copy a sample comes when its slot is ready: so tiles leave and come back soon.
-    (* anyseq *) reg first_go;
+    // Tiles leave and come back soon, and few ways lead there: copies of three tiles come in turn, each with a sample when its slot is
+    // ready; samples have the banks in every second cycle, and may stay while a pixel is to be drained; nothing else waits but the
+    // buffer's writes.
+    (* anyseq *) reg first_go, samples_stay;
     reg samples_go;
-    always @(posedge clk) samples_go <= rst ? first_go : !samples_go;
+    reg [1:0] turn = 0;
+    always @(posedge clk) begin
+        samples_go <= rst ? first_go : !samples_go;
+        if (in_valid && in_ready) turn <= turn == 2 ? 0 : turn + 1;
+    end
     wire [1:0] done = {slot_ready[1] && under_way[1] != 0, slot_ready[0] && under_way[0] != 0};
     always @* if (!rst) begin
+        assume (in_tile == turn && (!samples_stay || drain_enable));
         assume (out_ready && read_ready == (owed != 3) && pixel_ready && in_valid && data_valid == (owed != 0));
-        assume (sample_reads == {2{samples_go}} && sample_writes == {2{samples_go}} && (!sampled || sampled_place != 1));
+        assume (sample_reads == {2{samples_go || samples_stay}} && sample_writes == {2{samples_go}} && (!sampled || sampled_place != 1));
         assume (retire_valid == (done != 0) && retire_slot == !done[0]);
         assume (sampled == retire_valid && sampled_slot == retire_slot);
         assume (frame_end == (ending && !sending && under_way[0] == 0 && under_way[1] == 0));
@@ -218,14 +225,14 @@ module proof (input clk);
     end
 
 `ifdef STEADY
-    // It goes on: a step is never more than PATIENCE cycles away. Of a frame of tiles that nothing was drawn to nothing shows while their
+    // It goes on: a step is never more than PATIENCE cycles away in which the neighbors let it. Of a frame of tiles that nothing was drawn to nothing shows while their
     // codes pass.
-    localparam PATIENCE = 14;
+    localparam PATIENCE = 8;
     wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains || changes != 0
         || frame_end || (in_valid && in_ready) || (out_valid && out_ready);
     reg [5:0] stands = 0;
     always @(posedge clk) if (!rst) begin
-        stands <= moves ? 0 : stands + (write_ready || !write_valid);
+        stands <= moves ? 0 : stands + ((write_ready || !write_valid) && sample_reads == 0);
         goes_on: assert (stands <= PATIENCE);
     end
 
