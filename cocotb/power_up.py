@@ -7,7 +7,11 @@ the generator resets only registers that must be reset, others would leave X beh
 import random
 import re
 
-REGISTER = re.compile(r"^ *(?:output )?reg +(?:\[(\d+):0\] )?(\w+)(?: \[0:(\d+)\])?[;,]?$", re.MULTILINE)
+# A declaration's width, and its names with their numbers of words; a port's may be followed by another one's direction.
+DECLARATION = re.compile(r"\breg +(?:\[(\d+):0\] )?(\w+(?: \[0:\d+\])?(?:,\s+\w+(?: \[0:\d+\])?)*)")
+NAME = re.compile(r"(\w+)(?: \[0:(\d+)\])?")
+# What only assertions look at is there with these alone. They close a module.
+ASSERTIONS = re.compile(r"^`ifdef RTL_ASSERT$.*", re.MULTILINE | re.DOTALL)
 MODULE = re.compile(r"^module .*?^endmodule", re.MULTILINE | re.DOTALL)
 
 
@@ -16,15 +20,16 @@ def switched_on(verilog: str, seed: int) -> str:
     source = random.Random(seed)
 
     def initialized(module: re.Match[str]) -> str:
+        hardware = ASSERTIONS.sub("", module[0])
         values = []
-        for register in REGISTER.finditer(module[0]):
-            highest, name, last = register.groups()
-            if not re.search(rf"\b{name}(?:\[.*\])? <= ", module[0]):
-                # The output of an `always @(*)`.
-                continue
+        for declaration in DECLARATION.finditer(hardware):
+            highest, names = declaration.groups()
             width = int(highest or 0) + 1
-            places = [f"{name}[{index}]" for index in range(int(last) + 1)] if last else [name]
-            values += [f"        {place} = {width}'h{source.getrandbits(width):x};" for place in places]
+            for name, last in NAME.findall(names):
+                # No register is the output of an `always @(*)`, nor the direction of the next port.
+                if re.search(rf"\b{name}(?:\[.*\])? <= ", hardware):
+                    places = [f"{name}[{index}]" for index in range(int(last) + 1)] if last else [name]
+                    values += [f"        {place} = {width}'h{source.getrandbits(width):x};" for place in places]
         if not values:
             return module[0]
         return "\n".join([module[0].removesuffix("endmodule"), "    initial begin", *values, "    end", "endmodule"])
