@@ -39,7 +39,8 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs() {
+    let [bare, full, mixed] = configs();
+    for config in [Config { rasterizers: 2, ..bare.clone() }, bare, full, mixed] {
         let device = Device::new(&config, &splitter::module(&config), &units::splitter::UNIT);
         let copies: Vec<SplatCopy> = device.run(&Splitter::new(&config), &splats(&config), &[]);
         assert!(copies.len() as u64 > 2 * SPLATS, "{} copies", copies.len());

@@ -38,6 +38,8 @@ pub const RUN_PIXELS_MAX: u32 = TILE_SIZE;
 pub const RUNS_ASKED_MAX: u32 = 32;
 /// Pixels of evicted tiles that may be read and not be written yet.
 pub const WRITE_QUEUE_DEPTH: u32 = 8;
+/// Copies that wait before each of a distributor's sides.
+pub const DISTRIBUTED_COPIES: u32 = 16;
 /// Reads of which pixels are still to come, where several rasterizers share a memory.
 pub const COLLECTED_READS: u32 = 32;
 /// Bits of the counter of copies under way in one tile slot.

@@ -1,10 +1,12 @@
 //! Distributor: copies go to one of two sides, by a bit of the number of the rasterizer whose tile it is.
 //!
-//! A copy is taken every second cycle at most; an end record leaves on both sides.
+//! A copy a cycle, through a queue for each side; an end record leaves on both.
 
 use super::parts::share::Share;
+use crate::stream::Fifo;
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::DISTRIBUTED_COPIES;
 use pointcore_contract::splat::records::SplatCopy;
 pub use pointcore_contract::splat::units::distributor::{In, Out};
 
@@ -14,10 +16,9 @@ pub struct Distributor {
     share: Share,
     /// The bit of the number that it looks at.
     bit: u32,
-    copy: SplatCopy,
-    /// Whether it is still to leave for the lower numbers, and for the higher ones.
-    leaves_for: [bool; 2],
-    /// Sides for which a copy of its splat has left or is to leave.
+    /// What is to leave for the lower numbers, and for the higher ones.
+    queues: [Fifo<SplatCopy>; 2],
+    /// Sides for which a copy of the last splat was taken.
     begun: [bool; 2],
 }
 
@@ -26,7 +27,8 @@ impl Distributor {
     #[must_use]
     pub fn new(config: &Config, level: u32) -> Self {
         let bit = config.rasterizer_bits().saturating_sub(1 + level);
-        Self { share: Share::new(config), bit, copy: SplatCopy::default(), leaves_for: [false; 2], begun: [false; 2] }
+        let queues = [(); 2].map(|()| Fifo::new(DISTRIBUTED_COPIES as usize));
+        Self { share: Share::new(config), bit, queues, begun: [false; 2] }
     }
 }
 
@@ -36,24 +38,26 @@ impl Model for Distributor {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        let [low, high] = self.leaves_for.map(|leaves| leaves.then_some(self.copy));
-        Out { in_ready: self.leaves_for == [false; 2], low, high }
+        let [low, high] = self.queues.each_ref().map(|queue| queue.out().copied());
+        Out { in_ready: self.queues.iter().all(Fifo::in_ready), low, high }
     }
 
     fn clock(&mut self, inputs: &In) {
-        if self.leaves_for != [false; 2] {
-            self.leaves_for[0] &= !inputs.low_ready;
-            self.leaves_for[1] &= !inputs.high_ready;
-        } else if let Some(copy) = inputs.input {
+        let mut pushed = [None; 2];
+        if let Some(mut copy) = inputs.input.filter(|_| self.outputs().in_ready) {
             let is_high = self.share.rasterizer(copy.tile) >> self.bit & 1 == 1;
-            self.leaves_for = [copy.end || !is_high, copy.end || is_high];
-            self.copy = copy;
-            if !copy.end {
+            if copy.end {
+                pushed = [Some(copy); 2];
+            } else {
                 self.begun = self.begun.map(|begun| begun && !copy.first);
                 let begun = &mut self.begun[usize::from(is_high)];
-                self.copy.first = !std::mem::replace(begun, true);
+                copy.first = !std::mem::replace(begun, true);
+                pushed[usize::from(is_high)] = Some(copy);
             }
         }
+        let [low, high] = pushed;
+        self.queues[0].step(low, inputs.low_ready);
+        self.queues[1].step(high, inputs.high_ready);
     }
 }
 
@@ -61,46 +65,52 @@ impl Model for Distributor {
 mod tests {
     use super::*;
 
+    /// Sends copies, one a cycle, and returns what leaves on each side.
+    fn sent(unit: &mut Distributor, copies: &[SplatCopy]) -> [Vec<SplatCopy>; 2] {
+        let mut sides = [const { Vec::new() }; 2];
+        for cycle in 0..copies.len() + 2 {
+            let Out { in_ready, low, high } = unit.outputs();
+            assert!(in_ready, "a copy a cycle, also in cycle {cycle}");
+            sides.iter_mut().zip([low, high]).for_each(|(side, copy)| side.extend(copy));
+            unit.clock(&In { input: copies.get(cycle).copied(), low_ready: true, high_ready: true });
+        }
+        sides
+    }
+
     #[test]
     fn copies_go_to_their_side_and_ends_to_both() {
         let config = Config { rasterizers: 4, ..Config::default() };
-        let mut unit = Distributor::new(&config, 0);
         let copy = |tile| SplatCopy { tile, first: true, ..SplatCopy::default() };
         let end = SplatCopy { end: true, ..SplatCopy::default() };
         // The highest bit of a number is that of the column, and the lowest of the row.
-        let columns = 1 << config.tile_column_bits();
-        let left = [(copy(0), [1, 0]), (copy(1), [1, 0]), (copy(2), [0, 1]), (copy(columns), [0, 1]), (end, [1, 1])];
-        for (copy, expected) in left {
-            let mut counts = [0; 2];
-            unit.clock(&In { input: Some(copy), ..In::default() });
-            for ready in [[false; 2], [true, false], [false, true]] {
-                let out = unit.outputs();
-                assert!(!out.in_ready || counts == expected);
-                let [low_ready, high_ready] = ready;
-                for ((shown, ready), count) in [out.low, out.high].into_iter().zip(ready).zip(&mut counts) {
-                    let is_sent = |shown: SplatCopy| (shown.end, shown.tile) == (copy.end, copy.tile);
-                    *count += u32::from(ready && shown.is_some_and(is_sent));
-                }
-                let input = None;
-                unit.clock(&In { input, low_ready, high_ready });
-            }
-            assert_eq!(counts, expected, "{copy:?}");
-            assert!(unit.outputs().in_ready);
-        }
+        let below = 1 << config.tile_column_bits();
+        let sides = sent(&mut Distributor::new(&config, 0), &[copy(0), copy(1), copy(2), copy(below), end]);
+        let tiles = sides.map(|side| side.into_iter().map(|copy| (copy.end, copy.tile)).collect::<Vec<_>>());
+        assert_eq!(tiles, [[(false, 0), (false, 1), (true, 0)], [(false, 2), (false, below), (true, 0)]]);
     }
 
     #[test]
     fn each_side_has_a_first_copy_of_its_own() {
         let config = Config { rasterizers: 2, ..Config::default() };
-        let mut unit = Distributor::new(&config, 0);
         // Of one splat and of another.
-        let sent = [(1, true), (0, false), (1, false), (2, false), (0, true), (3, false)];
-        let left = sent.map(|(tile, first)| {
-            unit.clock(&In { input: Some(SplatCopy { tile, first, ..SplatCopy::default() }), ..In::default() });
-            let Out { low, high, .. } = unit.outputs();
-            unit.clock(&In { low_ready: true, high_ready: true, ..In::default() });
-            low.or(high).map(|copy| copy.first)
+        let copies = [(1, true), (0, false), (1, false), (2, false), (0, true), (3, false)];
+        let copies = copies.map(|(tile, first)| SplatCopy { tile, first, ..SplatCopy::default() });
+        let firsts = sent(&mut Distributor::new(&config, 0), &copies)
+            .map(|side| side.into_iter().map(|copy| (copy.tile, copy.first)).collect::<Vec<_>>());
+        assert_eq!(firsts, [[(0, true), (2, false), (0, true)], [(1, true), (1, false), (3, true)]]);
+    }
+
+    #[test]
+    fn a_full_side_holds_up_both() {
+        let config = Config { rasterizers: 2, ..Config::default() };
+        let mut unit = Distributor::new(&config, 0);
+        let copy = SplatCopy { tile: 0, ..SplatCopy::default() };
+        let taken = (0..100).filter(|_| {
+            let Out { in_ready, high, .. } = unit.outputs();
+            assert!(high.is_none());
+            unit.clock(&In { input: Some(copy), low_ready: false, high_ready: true });
+            in_ready
         });
-        assert_eq!(left.map(|first| first.expect("a copy leaves")), [true, true, false, false, true, true]);
+        assert_eq!(taken.count(), DISTRIBUTED_COPIES as usize);
     }
 }

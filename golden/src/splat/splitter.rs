@@ -1,9 +1,8 @@
 //! Splitter: a splat's octagon, cut at tile boundaries into one copy a tile, row by row (thesis 5.5.1).
 //!
-//! A tile every second cycle while the output has room: in the first its diagonals are found, in the second its copy is made, if any of the
-//! octagon lies in the tile. An end record makes one end copy.
+//! A tile a cycle while the output has room: its copy is made if any of the octagon lies in the tile. An end record makes one end copy.
 
-use crate::stream::HalfBuffer;
+use crate::stream::{HalfBuffer, Skid};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
@@ -38,14 +37,12 @@ struct Work {
     tile_row: u16,
     /// No copy has been made of it.
     first: bool,
-    /// Those of the current tile, once they are known.
-    diagonals: Option<Diagonals>,
 }
 
 impl Work {
     fn new(splat: SetupSplat) -> Self {
         let (tile_column, tile_row) = (splat.bounds.left / SIZE, splat.bounds.top / SIZE);
-        Self { splat, tile_column, tile_row, first: true, diagonals: None }
+        Self { splat, tile_column, tile_row, first: true }
     }
 
     fn is_last(&self) -> bool {
@@ -60,7 +57,7 @@ impl Work {
         } else {
             (self.tile_column + 1, self.tile_row)
         };
-        Self { tile_column, tile_row, diagonals: None, ..self }
+        Self { tile_column, tile_row, ..self }
     }
 
     /// The splat's diagonals, counted from the current tile's first pixel.
@@ -78,7 +75,7 @@ impl Work {
     }
 
     /// The copy for the current tile; `None` if none of the octagon lies in it.
-    fn copy(&self, grid: Grid, diagonals: Diagonals) -> Option<SplatCopy> {
+    fn copy(&self, grid: Grid) -> Option<SplatCopy> {
         let SetupSplat { end, footprint, attributes, bounds, .. } = self.splat;
         if end {
             return Some(SplatCopy { end, ..SplatCopy::default() });
@@ -86,7 +83,8 @@ impl Work {
         let (left, right) = intersection(bounds.left, bounds.right, self.tile_column);
         let (top, bottom) = intersection(bounds.top, bounds.bottom, self.tile_row);
         let tile = u32::from(self.tile_row) << grid.tile_column_bits | u32::from(self.tile_column);
-        let Diagonals { sum: [first_sum, last_sum], difference: [first_difference, last_difference] } = diagonals;
+        let Diagonals { sum: [first_sum, last_sum], difference: [first_difference, last_difference] } =
+            self.diagonals(grid);
         let [first, last] = [left, right].map(|column| i32::from(column / grid.columns));
         // In a row without a pixel one of what limits it from the left lies behind one of what limits it from the right.
         let tops = [first_sum - last, LAST - last_difference + first, (first_sum + LAST - last_difference + 1) >> 1];
@@ -110,12 +108,49 @@ fn intersection(first: u16, last: u16, tile: u16) -> (u16, u16) {
     (first.max(origin) - origin, last.min(origin + (SIZE - 1)) - origin)
 }
 
+/// What copies leave through: one lane takes a copy every second cycle at most, several take one a cycle.
+#[derive(Clone, Debug)]
+enum Exit {
+    ToOne(HalfBuffer<SplatCopy>),
+    ToSeveral(Skid<SplatCopy>),
+}
+
+impl Exit {
+    fn new(config: &Config) -> Self {
+        match config.rasterizers {
+            1 => Self::ToOne(HalfBuffer::default()),
+            _ => Self::ToSeveral(Skid::default()),
+        }
+    }
+
+    fn has_room(&self) -> bool {
+        match self {
+            Self::ToOne(buffer) => buffer.in_ready(),
+            Self::ToSeveral(buffer) => buffer.in_ready(),
+        }
+    }
+
+    fn shown(&self) -> Option<&SplatCopy> {
+        match self {
+            Self::ToOne(buffer) => buffer.out(),
+            Self::ToSeveral(buffer) => buffer.out(),
+        }
+    }
+
+    fn step(&mut self, copy: Option<SplatCopy>, is_taken: bool) {
+        match self {
+            Self::ToOne(buffer) => buffer.step(copy, is_taken),
+            Self::ToSeveral(buffer) => buffer.step(copy, is_taken),
+        }
+    }
+}
+
 /// The splitter.
 #[derive(Clone, Debug)]
 pub struct Splitter {
     grid: Grid,
     work: Option<Work>,
-    out: HalfBuffer<SplatCopy>,
+    out: Exit,
 }
 
 impl Splitter {
@@ -124,20 +159,19 @@ impl Splitter {
     pub fn new(config: &Config) -> Self {
         let columns = config.sampling.columns() as u16;
         let grid = Grid { tile_column_bits: config.tile_column_bits(), row_bits: config.row_bits(), columns };
-        Self { grid, work: None, out: HalfBuffer::default() }
+        Self { grid, work: None, out: Exit::new(config) }
     }
 
     /// The copies of a splat.
     pub fn copies(&self, splat: &SetupSplat) -> impl Iterator<Item = SplatCopy> {
         let grid = self.grid;
         let works = std::iter::successors(Some(Work::new(*splat)), |work| (!work.is_last()).then(|| work.next()));
-        let copies = works.filter_map(move |work| work.copy(grid, work.diagonals(grid)));
+        let copies = works.filter_map(move |work| work.copy(grid));
         copies.enumerate().map(|(index, copy)| SplatCopy { first: index == 0, ..copy })
     }
 
     fn in_ready(&self) -> bool {
-        let is_done = |work: &Work| work.diagonals.is_some() && work.is_last();
-        self.out.in_ready() && self.work.as_ref().is_none_or(is_done)
+        self.out.has_room() && self.work.as_ref().is_none_or(Work::is_last)
     }
 }
 
@@ -147,21 +181,15 @@ impl Model for Splitter {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        Out { in_ready: self.in_ready(), out: self.out.out().copied() }
+        Out { in_ready: self.in_ready(), out: self.out.shown().copied() }
     }
 
     fn clock(&mut self, inputs: &In) {
         let mut copy = None;
-        match self.work {
-            Some(work) if work.diagonals.is_none() => {
-                self.work = Some(Work { diagonals: Some(work.diagonals(self.grid)), ..work });
-            }
-            work if self.out.in_ready() => {
-                copy = work.and_then(|work| work.copy(self.grid, work.diagonals?));
-                let next = work.map(|work| Work { first: work.first && copy.is_none(), ..work.next() });
-                self.work = if self.in_ready() { inputs.input.map(Work::new) } else { next };
-            }
-            _ => {}
+        if self.out.has_room() {
+            copy = self.work.and_then(|work| work.copy(self.grid));
+            let next = self.work.map(|work| Work { first: work.first && copy.is_none(), ..work.next() });
+            self.work = if self.in_ready() { inputs.input.map(Work::new) } else { next };
         }
         self.out.step(copy, inputs.out_ready);
     }
@@ -261,24 +289,23 @@ mod tests {
 
     #[test]
     fn splats_follow_each_other_without_a_gap() {
-        let mut splitter = Splitter::new(&Config::default());
-        let bounds = ImageRectangle { left: 4, right: 11, top: 0, bottom: 0 };
-        let splat = SetupSplat { bounds, diagonals: OPEN, ..SetupSplat::default() };
-        let (mut accepted, mut copies) = (0, 0);
-        for cycle in 0..42 {
-            let out = splitter.outputs();
-            assert!(
-                out.out.is_none_or(|copy| copy.first == (copies % 2 == 0)),
-                "the first copy of a splat in cycle {cycle}"
-            );
-            accepted += u32::from(out.in_ready);
-            copies += u32::from(out.out.is_some());
-            assert!(
-                cycle < 3 || out.out.is_some() == (cycle % 2 == 1),
-                "a copy every second cycle, also in cycle {cycle}"
-            );
-            splitter.clock(&In { input: Some(splat), out_ready: true });
+        for (rasterizers, interval) in [(1, 2), (2, 1)] {
+            let mut splitter = Splitter::new(&Config { rasterizers, ..Config::default() });
+            let bounds = ImageRectangle { left: 4, right: 11, top: 0, bottom: 0 };
+            let splat = SetupSplat { bounds, diagonals: OPEN, ..SetupSplat::default() };
+            let (mut accepted, mut copies) = (0, 0);
+            for cycle in 0..42 {
+                let out = splitter.outputs();
+                assert!(
+                    out.out.is_none_or(|copy| copy.first == (copies % 2 == 0)),
+                    "the first copy of a splat in cycle {cycle}"
+                );
+                accepted += u32::from(out.in_ready);
+                copies += u32::from(out.out.is_some());
+                assert_eq!(out.out.is_some(), cycle >= 2 && cycle % interval == 0, "a copy in cycle {cycle}");
+                splitter.clock(&In { input: Some(splat), out_ready: true });
+            }
+            assert_eq!((accepted, copies), (40 / interval / 2 + 1, 40 / interval), "two copies a splat");
         }
-        assert_eq!((accepted, copies), (11, 20), "two copies a splat");
     }
 }

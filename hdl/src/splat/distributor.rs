@@ -2,12 +2,12 @@
 //! golden twin: `pointcore_golden::splat::distributor`.
 
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::DISTRIBUTED_COPIES;
 use pointcore_contract::splat::records::SplatCopy;
 use pointcore_contract::splat::units::distributor::PORTS;
 
 use super::parts::share;
 use crate::units::ports::{StreamInPorts, StreamOutPorts};
-use crate::units::wires::Bundle;
 use rtl::Module;
 
 /// The unit behind so many others of its kind; the first looks at the highest bit.
@@ -17,16 +17,15 @@ pub fn module(config: &Config, level: u32) -> Module {
     let mut m = Module::new("splat_distributor", "Sends splat copies to one of two sides, by their tile.");
     m.variant("bit", bit);
     let input = PORTS.input.declare(&mut m, config);
-    let empty = m.forward("empty", 1);
-    m.drive(input.ready, empty);
-    let takes = m.wire("takes", empty & input.valid);
+    let [low, high] = [PORTS.low, PORTS.high].map(|side| side.deep(&mut m, config, DISTRIBUTED_COPIES));
+    let room = m.wire("room", low.room & high.room);
+    m.drive(input.ready, room);
+    let takes = m.wire("takes", room & input.valid);
     let is_high = match config.rasterizer_bits() {
         0 => input.record.tile.bit(0),
         _ => share::number_bit(config, input.record.tile, bit),
     };
     let sides = [!is_high, is_high];
-    let is_for = sides.map(|is_side| input.record.end | is_side);
-    let [low, high] = ["leaves_low", "leaves_high"].map(|name| m.reg_reset(name, 1, 0));
 
     // On each side the first copy of a splat is another.
     let begun = ["low_begun", "high_begun"].map(|name| m.reg_reset(name, 1, 0));
@@ -35,11 +34,9 @@ pub fn module(config: &Config, level: u32) -> Module {
         m.next_if(register, takes & !input.record.end, begun | is_side);
     }
     let first = !is_high.mux(high_begun, low_begun);
-    let copy = SplatCopy { first, ..input.record }.register(&mut m, config, "copy_", empty);
-    let taken = [PORTS.low.drive(&mut m, config, low, copy), PORTS.high.drive(&mut m, config, high, copy)];
-    for ((leaves, is_for), taken) in [low, high].into_iter().zip(is_for).zip(taken) {
-        m.next(leaves, (takes & is_for) | (leaves & !taken));
+    let copy = SplatCopy { first, ..input.record };
+    for (queue, is_side) in [low, high].into_iter().zip(sides) {
+        queue.push(&mut m, config, takes & (input.record.end | is_side), copy);
     }
-    m.drive(empty, !(low | high));
     m
 }

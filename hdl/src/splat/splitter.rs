@@ -17,16 +17,6 @@ fn tile_of(pixel: Expr) -> Expr {
     pixel.bits(pixel.width() - 1, LOCAL_BITS)
 }
 
-/// The first tile that a rectangle touches, row above column.
-fn first_tile(bounds: &ImageRectangle<Wires>) -> Expr {
-    cat([tile_of(bounds.top), tile_of(bounds.left)])
-}
-
-/// The last one.
-fn last_tile(bounds: &ImageRectangle<Wires>) -> Expr {
-    cat([tile_of(bounds.bottom), tile_of(bounds.right)])
-}
-
 /// `a − b`, at least 0.
 fn less(a: Expr, b: Expr) -> Expr {
     a.lt(b).mux(lit(a.width(), 0), a - b)
@@ -40,12 +30,19 @@ fn smaller(a: Expr, b: Expr) -> Expr {
     a.lt(b).mux(a, b)
 }
 
-/// A tile's first sum or difference, or one past its last: counted from the tile's first pixel, in [`DIAGONAL_BITS`].
-fn within_tile(limit: Expr, origin: Expr) -> Expr {
-    let place = limit - origin;
+/// A first sum or difference, or one past the last: from counted from the tile's first pixel, with a sign, to what a tile has of them, in
+/// [`DIAGONAL_BITS`].
+fn within_tile(place: Expr) -> Expr {
     let beyond = place.bits(place.width() - 2, DIAGONAL_BITS).any();
     let none = lit(DIAGONAL_BITS, 0);
     place.msb().mux(none, beyond.mux(!none, place.trunc(DIAGONAL_BITS)))
+}
+
+/// When the splitter begins with a splat, goes to the next tile, and whether that is the first one of a row.
+struct Steps {
+    take: Expr,
+    moves: Expr,
+    wraps: Expr,
 }
 
 /// What the octagon has of the current tile, from [`within_tile`].
@@ -57,49 +54,62 @@ struct Diagonals {
 }
 
 impl Diagonals {
-    /// Found in a cycle of `locate`.
-    fn new(m: &mut Module, config: &Config, splat: &SetupSplat<Wires>, [column, row]: [Expr; 2], locate: Expr) -> Self {
+    /// Registers, found while the splitter comes to the tile: of a splat's first tile from what arrives, of others from what they were for
+    /// the tile before, or at the beginning of its row.
+    fn new(m: &mut Module, config: &Config, arriving: &SetupSplat<Wires>, steps: &Steps) -> Self {
+        let Steps { take, moves, wraps } = *steps;
         // One past the last, and a sign.
         let width = config.diagonal_bits() + 2;
+        let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
         let pixels = lit(LOCAL_BITS - config.sampling.columns().ilog2(), 0);
-        let column = cat([column, pixels]).zext(width);
+        let column = cat([tile_of(arriving.bounds.left), pixels]).zext(width);
+        let row = tile_of(arriving.bounds.top);
         let origin = |row: Expr| column + cat([row, lit(LOCAL_BITS, 0)]).zext(width);
-        let origins = [origin(row), origin(!row)];
-        let limits = splat.diagonals;
-        let mut register = |name, limit: Expr, past: u128, diagonal: usize| {
-            let place = within_tile(limit.zext(width).add_lit(past), origins[diagonal]);
-            held(m, name, locate, place)
+        let sums = |place: Expr| place.sub_lit(TILE_SIZE.into());
+        let differences = |place: Expr| place.add_lit(TILE_SIZE.into());
+        let limits = arriving.diagonals;
+        let mut register = |name: &str, limit: Expr, past: u128, origin: Expr, below: fn(Expr) -> Expr| {
+            let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
+            let first = limit.zext(width).add_lit(past) - origin;
+            let below = below(row_begins.expr());
+            m.next_if(row_begins, take | wraps, take.mux(first, below));
+            let next = m.wire(&format!("{name}_next"), take.mux(first, wraps.mux(below, here.sub_lit(tile_pixels))));
+            m.next_if(here, moves, next);
+            held(m, name, moves, within_tile(next))
         };
         Self {
-            first_sum: register("first_sum", limits.first_sum, 0, 0),
-            past_sum: register("past_sum", limits.last_sum, 1, 0),
-            first_difference: register("first_difference", limits.first_difference, 0, 1),
-            past_difference: register("past_difference", limits.last_difference, 1, 1),
+            first_sum: register("first_sum", limits.first_sum, 0, origin(row), sums),
+            past_sum: register("past_sum", limits.last_sum, 1, origin(row), sums),
+            first_difference: register("first_difference", limits.first_difference, 0, origin(!row), differences),
+            past_difference: register("past_difference", limits.last_difference, 1, origin(!row), differences),
         }
     }
 
-    /// First row and one past the last, of those that have a pixel between these columns: in others, one of what limits a row from the left
-    /// lies behind one of what limits it from the right.
-    fn rows(&self, [first, last]: [Expr; 2], [top, bottom]: [Expr; 2]) -> [Expr; 2] {
+    /// What limits the rows that have a pixel between the edges' columns, from above and, one past the last, from below: in others, one of
+    /// what limits a row from the left lies behind one of what limits it from the right.
+    fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
         let Self { first_sum, past_sum, first_difference, past_difference } = *self;
         let wide = |value: Expr| value.zext(DIAGONAL_BITS);
+        let pixel = |column: Expr| column.bits(LOCAL_BITS - 1, config.sampling.columns().ilog2()).zext(LOCAL_BITS);
+        let [first, last] = [pixel(edges.left), pixel(edges.right)];
         let from_below = |column: Expr| cat([lit(1, 1), column]);
         let half = |sum: Expr, constant: u128, other: Expr| {
             let sum = sum.zext(DIAGONAL_BITS + 1).add_lit(constant);
             less(sum, other.zext(DIAGONAL_BITS + 1)).bits(DIAGONAL_BITS, 1)
         };
         let tops = [
+            wide(edges.top),
             less(first_sum, wide(last)),
             less(from_below(first), past_difference),
             half(first_sum, TILE_SIZE as u128 + 1, past_difference),
         ];
         let pasts = [
+            wide(edges.bottom).add_lit(1),
             less(past_sum, wide(first)),
             less(from_below(last), first_difference),
             half(past_sum, TILE_SIZE as u128, first_difference),
         ];
-        let ([a, b, c], [d, e, f]) = (tops, pasts);
-        [larger(larger(wide(top), a), larger(b, c)), smaller(smaller(wide(bottom).add_lit(1), d), smaller(e, f))]
+        [tops, pasts]
     }
 
     fn of_tile(&self) -> TileDiagonals<Wires> {
@@ -112,69 +122,113 @@ impl Diagonals {
     }
 }
 
+/// The current tile, and what is known of it before its cycle.
+struct Walk {
+    column: Expr,
+    row: Expr,
+    /// The rectangle's edges where they lie in this tile, else the tile's own.
+    edges: TileRectangle<Wires>,
+    /// The arriving splat touches one tile.
+    single: Expr,
+    /// The next tile begins a row.
+    wraps: Expr,
+    /// The next tile is the last.
+    reaches_last: Expr,
+}
+
+impl Walk {
+    /// Row by row through the tiles of a rectangle, `[arriving, current]`.
+    fn new(
+        m: &mut Module,
+        config: &Config,
+        [arriving, bounds]: [&ImageRectangle<Wires>; 2],
+        [take, step]: [Expr; 2],
+    ) -> Self {
+        let [right_most, bottom_most] = ["right_most", "bottom_most"].map(|name| m.reg(name, 1));
+        let wraps = m.wire("wraps", step & right_most);
+        let moves = take | step;
+        let turns = take | wraps;
+        let [column, row] = [("column", config.tile_column_bits()), ("row", config.tile_row_bits())]
+            .map(|(name, bits)| m.reg(name, bits));
+
+        let is_one = |first: Expr, last: Expr| tile_of(first).eq(tile_of(last));
+        let one_column = m.wire("one_column", is_one(arriving.left, arriving.right));
+        let one_row = m.wire("one_row", is_one(arriving.top, arriving.bottom));
+        let [next_column, next_row] = [column.add_lit(1), row.add_lit(1)];
+        let stays_one = is_one(bounds.left, bounds.right);
+        let reaches_right = m.wire("reaches_right", right_most.mux(stays_one, next_column.eq(tile_of(bounds.right))));
+        let reaches_bottom = m.wire("reaches_bottom", next_row.eq(tile_of(bounds.bottom)));
+        m.next_if(column, moves, take.mux(tile_of(arriving.left), right_most.mux(tile_of(bounds.left), next_column)));
+        m.next_if(row, turns, take.mux(tile_of(arriving.top), next_row));
+        m.next_if(right_most, moves, take.mux(one_column, reaches_right));
+        m.next_if(bottom_most, turns, take.mux(one_row, reaches_bottom));
+
+        let place = |edge: Expr| edge.trunc(LOCAL_BITS);
+        let [own_first, own_last] = [0, TILE_SIZE - 1].map(|pixel| lit(LOCAL_BITS, pixel.into()));
+        let last = |is_here: Expr, edge: Expr| is_here.mux(place(edge), own_last);
+        let left = take.mux(place(arriving.left), right_most.mux(place(bounds.left), own_first));
+        let right = take.mux(last(one_column, arriving.right), last(reaches_right, bounds.right));
+        let top = take.mux(place(arriving.top), own_first);
+        let bottom = take.mux(last(one_row, arriving.bottom), last(reaches_bottom, bounds.bottom));
+        let edges = TileRectangle {
+            left: held(m, "left", moves, left),
+            right: held(m, "right", moves, right),
+            top: held(m, "top", turns, top),
+            bottom: held(m, "bottom", turns, bottom),
+        };
+        let reaches_last = reaches_right & right_most.mux(reaches_bottom, bottom_most.expr());
+        Self { column: *column, row: *row, edges, single: one_column & one_row, wraps, reaches_last }
+    }
+}
+
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
     let mut m = Module::new("splat_splitter", "Splits a splat's octagon into one copy per tile.");
     let input = PORTS.input.declare(&mut m, config);
-    let out = PORTS.out.half(&mut m, config);
+    // One lane takes a copy every second cycle at most.
+    let out = match config.rasterizers {
+        1 => PORTS.out.half(&mut m, config),
+        _ => PORTS.out.queue(&mut m, config),
+    };
 
     // A splat of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins: there is none, or its
-    // current tile is the last, and its diagonals are found.
+    // current tile is the last.
     let busy = m.reg_reset("busy", 1, 0);
-    let located = m.reg("located", 1);
-    let idle = m.reg_reset("idle", 1, 1);
-    let last = m.reg("last", 1);
-    let ready = m.wire("ready", out.room & idle);
+    let open = m.reg_reset("open", 1, 1);
+    let ready = m.wire("ready", out.room & open);
     m.drive(input.ready, ready);
     let take = m.wire("take", ready & input.valid);
-    let locate = m.wire("locate", busy & !located);
-    let step = m.wire("step", out.room & (busy & located));
+    let step = m.wire("step", out.room & busy);
     let arriving = input.record;
     let splat = arriving.register(&mut m, config, "splat_", ready);
     let bounds = splat.bounds;
 
-    let column = m.reg("column", config.tile_column_bits());
-    let row = m.reg("row", config.tile_row_bits());
-    let left_most = column.eq(tile_of(bounds.left));
-    let right_most = m.wire("right_most", column.eq(tile_of(bounds.right)));
-    let top_most = row.eq(tile_of(bounds.top));
-    let bottom_most = row.eq(tile_of(bounds.bottom));
-
     let moves = m.wire("moves", take | step);
-    m.next(busy, take | (busy & !(step & last)));
-    m.next(located, locate | (located & !moves));
-    m.next(idle, locate.mux(last, idle & !take));
-    let next_column = right_most.mux(tile_of(bounds.left), column.add_lit(1));
-    m.next_if(column, moves, take.mux(tile_of(arriving.bounds.left), next_column));
-    let next_row = right_most.mux(row.add_lit(1), row);
-    m.next_if(row, moves, take.mux(tile_of(arriving.bounds.top), next_row));
-    let single = arriving.end | first_tile(&arriving.bounds).eq(last_tile(&arriving.bounds));
-    let reaches_last = cat([next_row, next_column]).eq(last_tile(&bounds));
-    m.next_if(last, moves, take.mux(single, reaches_last));
-
-    // The rectangle's edge where it lies in this tile, else the tile's own.
-    let clip = |edge: Expr, here: Expr, of_tile: u32| here.mux(edge.trunc(LOCAL_BITS), lit(LOCAL_BITS, of_tile.into()));
-    let [left, right] = [clip(bounds.left, left_most, 0), clip(bounds.right, right_most, TILE_SIZE - 1)];
-    let diagonals = Diagonals::new(&mut m, config, &splat, [*column, *row], locate);
-    let pixel = |column: Expr| column.bits(LOCAL_BITS - 1, config.sampling.columns().ilog2()).zext(LOCAL_BITS);
-    let [top, past] = diagonals.rows(
-        [pixel(left), pixel(right)],
-        [clip(bounds.top, top_most, 0), clip(bounds.bottom, bottom_most, TILE_SIZE - 1)],
-    );
-    let occupied = m.wire("occupied", splat.end | top.lt(past));
+    m.next(busy, take | (busy & !(step & open)));
+    let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [take, step]);
+    m.next_if(open, moves, take.mux(arriving.end | walk.single, open | walk.reaches_last));
+    let edges = walk.edges;
+    let steps = Steps { take, moves, wraps: walk.wraps };
+    let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
+    let [tops, pasts] = diagonals.rows(&edges, config);
+    // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
+    let none_behind = tops.into_iter().flat_map(|top| pasts.map(|past| top.lt(past))).reduce(|all, one| all & one);
+    let occupied = m.wire("occupied", splat.end | none_behind.expect("there are pairs"));
     let push = m.wire("push", step & occupied);
     let first = m.reg("first", 1);
     m.next(first, take | (first & !push));
-    let (top, bottom) = (top.trunc(LOCAL_BITS), past.sub_lit(1).trunc(LOCAL_BITS));
+    let [[a, b, c, d], [e, f, g, h]] = [tops, pasts];
+    let top = larger(larger(a, b), larger(c, d)).trunc(LOCAL_BITS);
+    let bottom = smaller(smaller(e, f), smaller(g, h)).sub_lit(1).trunc(LOCAL_BITS);
     let copy = SplatCopy {
         end: splat.end,
         first: *first,
         footprint: splat.footprint,
         attributes: splat.attributes,
-        bounds: TileRectangle { left, right, top, bottom },
+        bounds: TileRectangle { top, bottom, ..edges },
         diagonals: diagonals.of_tile(),
-        tile: cat([row, column]),
+        tile: cat([walk.row, walk.column]),
     };
     out.push(&mut m, config, push, copy);
     m

@@ -18,8 +18,10 @@ pub struct FrameBound {
     pub cycles: u64,
 }
 
-/// Cycles between two copies out of the splitter.
-const SPLITTER_INTERVAL: u32 = 2;
+/// Cycles between two copies out of the splitter, which makes no more than one lane takes.
+const fn splitter_interval(config: &Config) -> u32 {
+    if config.rasterizers == 1 { 2 } else { 1 }
+}
 
 /// Cycles that a copy takes on its way to its rasterizer: in the reorder stage, or until it has its payload again.
 #[must_use]
@@ -38,7 +40,7 @@ pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [Fram
     let by_rasterizer = |cycles: u64| cycles.div_ceil(config.rasterizers.into());
     [
         ("samples", by_rasterizer(counters.events.sample)),
-        ("copies in the splitter", times(fates.copies, SPLITTER_INTERVAL)),
+        ("copies in the splitter", times(fates.copies, splitter_interval(config))),
         ("copies on their way to a rasterizer", by_rasterizer(times(fates.copies, copy_interval(config)))),
         ("splats in transform", times(fates.total(), config.transform_interval)),
         ("splats in setup", times(fates.set_up, config.setup_interval)),
@@ -71,7 +73,7 @@ mod tests {
         let cycles = |config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
         assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64]);
         let two = Config { rasterizers: 2, ..config.clone() };
-        assert_eq!(cycles(&two)[..3], [50, 60, 60]);
+        assert_eq!(cycles(&two)[..3], [50, 30, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };
         assert_eq!(cycles(&lists)[2], 60);
         assert_eq!(cycles(&Config { payload_beats: 4, ..lists })[2], 120);
