@@ -9,7 +9,7 @@
 module splat_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:43806];
+    reg [63:0] words [0:43785];
     reg [818:0] vector = 0;
     reg [818:0] next = 0;
     wire [818:0] found;

@@ -6025,7 +6025,7 @@ module splat_splitter (
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, located, idle, last;
+    reg busy, open;
     reg splat_end;  // Closes the frame.
     reg [25:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [25:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -6050,63 +6050,80 @@ module splat_splitter (
     reg [11:0] splat_attribute_2;  // Attributes.
     reg [8:0] splat_left;  // First column.
     reg [8:0] splat_right;  // Last column.
-    reg [8:0] splat_top;  // First row.
     reg [8:0] splat_bottom;  // Last row.
-    reg [9:0] splat_first_sum;  // Smallest sum.
-    reg [9:0] splat_last_sum;  // Largest sum.
-    reg [9:0] splat_first_difference;  // Smallest difference.
-    reg [9:0] splat_last_difference;  // Largest difference.
+    reg right_most, bottom_most;
     reg [5:0] column, row;
-    reg [3:0] first_sum, past_sum, first_difference, past_difference;
+    reg [2:0] left, right, top, bottom;
+    reg [11:0] first_sum_here, first_sum_row_begins;
+    reg [3:0] first_sum;
+    reg [11:0] past_sum_here, past_sum_row_begins;
+    reg [3:0] past_sum;
+    reg [11:0] first_difference_here, first_difference_row_begins;
+    reg [3:0] first_difference;
+    reg [11:0] past_difference_here, past_difference_row_begins;
+    reg [3:0] past_difference;
     reg first;
 
     wire out_queue_in_ready;
     wire [364:0] out_queue_out_data;
 
-    wire ready = out_queue_in_ready & idle;
-    wire step = out_queue_in_ready & (busy & located);
-    wire [3:0] occupied_bits = {1'd0, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0};
-    wire right_most = column == splat_right[8:3];
-    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
-    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
-    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
-    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
-    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0;
-    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
-    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
-    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
-    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
-    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
-    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
-    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
-    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
-    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
-    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
-    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
-    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire ready = out_queue_in_ready & open;
+    wire step = out_queue_in_ready & busy;
+    wire [3:0] bottom_plus_1 = {1'd0, bottom} + 4'd1;
+    wire [3:0] occupied_choice = (past_sum < {1'd0, left}) ? 4'd0 : (past_sum - {1'd0, left});
+    wire [3:0] occupied_choice_2 = ({1'd1, right} < first_difference) ? 4'd0 : ({1'd1, right} - first_difference);
+    wire occupied_both = ({1'd0, top} < bottom_plus_1) & ({1'd0, top} < occupied_choice) & ({1'd0, top} < occupied_choice_2);
     wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
-    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
-    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
-    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
-    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [4:0] occupied_choice_3 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_4 = (first_sum < {1'd0, right}) ? 4'd0 : (first_sum - {1'd0, right});
+    wire occupied_both_2 = occupied_both & ({1'd0, top} < occupied_choice_3[4:1]) & (occupied_choice_4 < bottom_plus_1);
+    wire occupied_both_3 = occupied_both_2 & (occupied_choice_4 < occupied_choice) & (occupied_choice_4 < occupied_choice_2);
+    wire [3:0] occupied_choice_5 = ({1'd1, left} < past_difference) ? 4'd0 : ({1'd1, left} - past_difference);
+    wire occupied_both_4 = occupied_both_3 & (occupied_choice_4 < occupied_choice_3[4:1]) & (occupied_choice_5 < bottom_plus_1);
+    wire occupied_both_5 = occupied_both_4 & (occupied_choice_5 < occupied_choice) & (occupied_choice_5 < occupied_choice_2);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_6 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire occupied_both_6 = occupied_both_5 & (occupied_choice_5 < occupied_choice_3[4:1]) & (occupied_choice_6[4:1] < bottom_plus_1);
+    wire occupied_both_7 = occupied_both_6 & (occupied_choice_6[4:1] < occupied_choice) & (occupied_choice_6[4:1] < occupied_choice_2);
+    wire occupied_both_8 = occupied_both_7 & (occupied_choice_6[4:1] < occupied_choice_3[4:1]);
+    wire occupied = splat_end | occupied_both_8;
     wire push = step & occupied;
-    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
+    wire [3:0] out_queue_in_data_choice = ({1'd0, top} < occupied_choice_4) ? occupied_choice_4 : {1'd0, top};
+    wire [3:0] out_queue_in_data_choice_2 = (occupied_choice_5 < occupied_choice_6[4:1]) ? occupied_choice_6[4:1] : occupied_choice_5;
+    wire [3:0] out_queue_in_data_choice_3 = (out_queue_in_data_choice < out_queue_in_data_choice_2) ? out_queue_in_data_choice_2 : out_queue_in_data_choice;
+    wire [3:0] out_queue_in_data_choice_4 = (bottom_plus_1 < occupied_choice) ? bottom_plus_1 : occupied_choice;
+    wire [3:0] out_queue_in_data_choice_5 = (occupied_choice_2 < occupied_choice_3[4:1]) ? occupied_choice_2 : occupied_choice_3[4:1];
+    wire [3:0] out_queue_in_data_choice_6 = (out_queue_in_data_choice_4 < out_queue_in_data_choice_5) ? out_queue_in_data_choice_4 : out_queue_in_data_choice_5;
+    wire [3:0] out_queue_in_data_difference = out_queue_in_data_choice_6 - 4'd1;
     wire take = ready & in_valid;
-    wire locate = busy & ~located;
     wire moves = take | step;
-    wire last_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
-    wire [5:0] row_choice = right_most ? (row + 6'd1) : row;
-    wire [5:0] column_choice = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire last_same = {row_choice, column_choice} == {splat_bottom[8:3], splat_right[8:3]};
-    wire [11:0] first_sum_bits = {3'd0, column, 3'd0};
-    wire [11:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
-    wire [11:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
-    wire [11:0] past_sum_difference = ({2'd0, splat_last_sum} + 12'd1) - first_sum_sum;
-    wire [11:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
-    wire [11:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
-    wire [3:0] first_difference_choice = |first_difference_difference[10:4] ? 4'd15 : first_difference_difference[3:0];
-    wire [11:0] past_difference_difference = ({2'd0, splat_last_difference} + 12'd1) - past_difference_sum;
-    wire [3:0] past_difference_choice = |past_difference_difference[10:4] ? 4'd15 : past_difference_difference[3:0];
+    wire one_column = in_left[8:3] == in_right[8:3];
+    wire one_row = in_top[8:3] == in_bottom[8:3];
+    wire [5:0] column_plus_1 = column + 6'd1;
+    wire reaches_right = right_most ? (splat_left[8:3] == splat_right[8:3]) : (column_plus_1 == splat_right[8:3]);
+    wire [5:0] row_plus_1 = row + 6'd1;
+    wire reaches_bottom = row_plus_1 == splat_bottom[8:3];
+    wire open_either = open | (reaches_right & (right_most ? reaches_bottom : bottom_most));
+    wire wraps = step & right_most;
+    wire take_or_wraps = take | wraps;
+    wire [11:0] first_sum_row_begins_bits = {3'd0, in_left[8:3], 3'd0};
+    wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
+    wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
+    wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
+    wire [11:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] past_sum_row_begins_difference = ({2'd0, in_last_sum} + 12'd1) - first_sum_row_begins_sum;
+    wire [11:0] past_sum_row_begins_minus_8 = past_sum_row_begins - 12'd8;
+    wire [11:0] past_sum_next = take ? past_sum_row_begins_difference : wraps ? past_sum_row_begins_minus_8 : (past_sum_here - 12'd8);
+    wire [11:0] past_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
+    wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - past_difference_row_begins_sum;
+    wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
+    wire [11:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
+    wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
+    wire [11:0] past_difference_row_begins_difference = ({2'd0, in_last_difference} + 12'd1) - past_difference_row_begins_sum;
+    wire [11:0] past_difference_row_begins_sum_2 = past_difference_row_begins + 12'd8;
+    wire [11:0] past_difference_next_choice = wraps ? past_difference_row_begins_sum_2 : (past_difference_here - 12'd8);
+    wire [11:0] past_difference_next = take ? past_difference_row_begins_difference : past_difference_next_choice;
 
     assign in_ready = ready;
     assign {
@@ -6123,9 +6140,9 @@ module splat_splitter (
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_sight_negative, splat_sight_near, splat_sight_far,
             splat_sight_turned, splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high,
-            splat_attribute_0, splat_attribute_1, splat_attribute_2, out_queue_in_data_choice_2,
-            out_queue_in_data_choice, occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum,
-            past_sum - 4'd1, first_difference, past_difference - 4'd1, row, column
+            splat_attribute_0, splat_attribute_1, splat_attribute_2, left, right, out_queue_in_data_choice_3[2:0],
+            out_queue_in_data_difference[2:0], first_sum, past_sum - 4'd1, first_difference,
+            past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -6133,20 +6150,13 @@ module splat_splitter (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
-            idle <= 1'd1;
+            open <= 1'd1;
         end else begin
-            busy <= take | (busy & ~(step & last));
-            idle <= locate ? last : (idle & ~take);
+            busy <= take | (busy & ~(step & open));
+            if (moves) open <= take ? (in_end | (one_column & one_row)) : open_either;
         end
     end
     always @(posedge clk) begin
-        located <= locate | (located & ~moves);
-        first <= take | (first & ~push);
-        if (moves) begin
-            last <= take ? last_either : last_same;
-            column <= take ? in_left[8:3] : column_choice;
-            row <= take ? in_top[8:3] : row_choice;
-        end
         if (ready) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
@@ -6172,22 +6182,39 @@ module splat_splitter (
             splat_attribute_2 <= in_attribute_2;
             splat_left <= in_left;
             splat_right <= in_right;
-            splat_top <= in_top;
             splat_bottom <= in_bottom;
-            splat_first_sum <= in_first_sum;
-            splat_last_sum <= in_last_sum;
-            splat_first_difference <= in_first_difference;
-            splat_last_difference <= in_last_difference;
         end
-        if (locate) begin
-            first_sum <= first_sum_difference[11] ? 4'd0 : |first_sum_difference[10:4] ? 4'd15 : first_sum_difference[3:0];
-            past_sum <= past_sum_difference[11] ? 4'd0 : |past_sum_difference[10:4] ? 4'd15 : past_sum_difference[3:0];
-            first_difference <= first_difference_difference[11] ? 4'd0 : first_difference_choice;
-            past_difference <= past_difference_difference[11] ? 4'd0 : past_difference_choice;
+        if (moves) begin
+            right_most <= take ? one_column : reaches_right;
+            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
+            left <= take ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
+            right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
+            first_sum_here <= first_sum_next;
+            first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
+            past_sum_here <= past_sum_next;
+            past_sum <= past_sum_next[11] ? 4'd0 : |past_sum_next[10:4] ? 4'd15 : past_sum_next[3:0];
+            first_difference_here <= first_difference_next;
+            first_difference <= first_difference_next[11] ? 4'd0 : first_difference_choice;
+            past_difference_here <= past_difference_next;
+            past_difference <= past_difference_next[11] ? 4'd0 : |past_difference_next[10:4] ? 4'd15 : past_difference_next[3:0];
         end
+        if (take_or_wraps) begin
+            bottom_most <= take ? one_row : reaches_bottom;
+            row <= take ? in_top[8:3] : row_plus_1;
+            top <= take ? in_top[2:0] : 3'd0;
+            bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
+            first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
+            past_sum_row_begins <= take ? past_sum_row_begins_difference : past_sum_row_begins_minus_8;
+            first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
+            past_difference_row_begins <= take ? past_difference_row_begins_difference : past_difference_row_begins_sum_2;
+        end
+        first <= take | (first & ~push);
     end
 
-    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
+    wire _unused = &{
+        1'b0, occupied_choice_3[0], occupied_choice_6[0], out_queue_in_data_choice_3[3],
+        out_queue_in_data_difference[3]
+    };
 endmodule
 
 // One item in a register, at half rate.

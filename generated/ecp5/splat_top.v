@@ -1316,7 +1316,7 @@ module splat_lane (
     wire [3:0] payloads_copy_first_sum, payloads_copy_last_sum, payloads_copy_first_difference;
     wire [3:0] payloads_copy_last_difference;
     wire [11:0] payloads_copy_tile;
-    wire [10:0] payloads_copy_splat;
+    wire [8:0] payloads_copy_splat;
     wire payloads_placed_ready, payloads_out_valid, payloads_out_end;
     wire [23:0] payloads_out_center_x, payloads_out_center_y, payloads_out_ax, payloads_out_bx, payloads_out_ay;
     wire [23:0] payloads_out_by, payloads_out_delta, payloads_out_mx, payloads_out_my;
@@ -1333,26 +1333,30 @@ module splat_lane (
     wire [3:0] payloads_out_first_sum, payloads_out_last_sum, payloads_out_first_difference;
     wire [3:0] payloads_out_last_difference;
     wire [11:0] payloads_out_tile;
-    wire payloads_out_slot, reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [2:0] payloads_out_slot;
+    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
     wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
     wire [3:0] reorder_out_last_difference;
     wire [11:0] reorder_out_tile;
-    wire [10:0] reorder_out_splat;
+    wire [8:0] reorder_out_splat;
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
     wire [3:0] tile_cache_out_last_difference;
     wire [11:0] tile_cache_out_tile;
-    wire [10:0] tile_cache_out_splat;
-    wire tile_cache_out_slot;
-    wire [1:0] tile_cache_slot_ready;
-    wire tile_cache_change_valid, tile_cache_change_slot;
+    wire [8:0] tile_cache_out_splat;
+    wire [2:0] tile_cache_out_slot;
+    wire [7:0] tile_cache_slot_ready;
+    wire tile_cache_change_valid;
+    wire [2:0] tile_cache_change_slot;
     wire [1:0] tile_cache_change_banks;
     wire [63:0] tile_cache_change_held;
-    wire tile_cache_drain_enable, tile_cache_drain_slot;
+    wire tile_cache_drain_enable;
+    wire [2:0] tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
-    wire tile_cache_fill_valid, tile_cache_fill_slot;
+    wire tile_cache_fill_valid;
+    wire [2:0] tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
@@ -1362,7 +1366,8 @@ module splat_lane (
     wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
     wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
     wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside, rasterizer_out_slot;
+    wire rasterizer_out_inside;
+    wire [2:0] rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
     wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
@@ -1372,7 +1377,7 @@ module splat_lane (
     wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
     wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
     wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire weighting_out_slot;
+    wire [2:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
@@ -1382,7 +1387,9 @@ module splat_lane (
     wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
     wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
     wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
-    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
+    wire accumulator_in_ready, accumulator_retire_valid;
+    wire [2:0] accumulator_retire_slot;
+    wire accumulator_frame_end;
     wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
     wire [63:0] accumulator_masks_written, accumulator_masks_dirty;
     wire accumulator_drained_valid;
@@ -1656,7 +1663,7 @@ module splat_lane (
 endmodule
 
 // Blends samples into the pixels of the tile slots.
-// slots = 2
+// slots = 8
 // banks = 2
 // stages = 7
 module splat_accumulator (
@@ -1665,7 +1672,7 @@ module splat_accumulator (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [39:0] in_weighted_depth,  // Weighted depth.
@@ -1685,16 +1692,16 @@ module splat_accumulator (
     input  wire [15:0] in_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_cardinal_0,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     output reg  retire_valid,  // A copy is done with.
-    output reg  retire_slot,  // Slot of the tile cache.
+    output reg  [2:0] retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
     input  wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
-    input  wire change_slot,  // Slot of the tile cache.
+    input  wire [2:0] change_slot,  // Slot of the tile cache.
     input  wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
     input  wire [63:0] change_held,  // A bit for each pixel that will be filled.
     input  wire fill_valid,  // Write to a slot, until it is carried out.
-    input  wire fill_slot,  // Slot of the tile cache.
+    input  wire [2:0] fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
     input  wire [51:0] fill_depth,  // Sum of weighted depths.
@@ -1714,7 +1721,7 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire drain_enable,  // Read of a slot, until it is carried out.
-    input  wire drain_slot,  // Slot of the tile cache.
+    input  wire [2:0] drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
     output wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
     output wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
@@ -1744,30 +1751,38 @@ module splat_accumulator (
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
     (* ram_style = "distributed" *)
-    reg [63:0] bank_0_masks [0:1];
+    reg [63:0] bank_0_masks [0:7];
     (* ram_style = "distributed" *)
-    reg [63:0] bank_1_masks [0:1];
-    reg valid_1, inside_1, last_1, slot_1;
+    reg [63:0] bank_1_masks [0:7];
+    reg valid_1, inside_1, last_1;
+    reg [2:0] slot_1;
     reg [5:0] pixel_1;
-    reg valid_2, inside_2, last_2, slot_2;
+    reg valid_2, inside_2, last_2;
+    reg [2:0] slot_2;
     reg [5:0] pixel_2;
-    reg valid_3, inside_3, last_3, slot_3;
+    reg valid_3, inside_3, last_3;
+    reg [2:0] slot_3;
     reg [5:0] pixel_3;
-    reg valid_4, inside_4, last_4, slot_4;
+    reg valid_4, inside_4, last_4;
+    reg [2:0] slot_4;
     reg [5:0] pixel_4;
-    reg valid_5, inside_5, last_5, slot_5;
+    reg valid_5, inside_5, last_5;
+    reg [2:0] slot_5;
     reg [5:0] pixel_5;
-    reg valid_6, inside_6, last_6, slot_6;
+    reg valid_6, inside_6, last_6;
+    reg [2:0] slot_6;
     reg [5:0] pixel_6;
-    reg valid_7, inside_7, last_7, slot_7;
+    reg valid_7, inside_7, last_7;
+    reg [2:0] slot_7;
     reg [5:0] pixel_7;
-    reg valid_8, inside_8, last_8, slot_8;
+    reg valid_8, inside_8, last_8;
+    reg [2:0] slot_8;
     reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;  // Closes the frame.
     reg head_last;  // Closes its copy.
     reg head_inside;  // Lies inside the splat.
-    reg head_slot;  // Slot of the tile cache.
+    reg [2:0] head_slot;  // Slot of the tile cache.
     reg [5:0] head_pixel;  // Pixel of the tile.
     reg [15:0] head_weight;  // Kernel weight.
     reg [39:0] head_weighted_depth;  // Weighted depth.
@@ -1876,7 +1891,7 @@ module splat_accumulator (
     reg [15:0] stored_cardinal_0_8;
 
     wire places_out_valid;
-    wire [9:0] places_out_data;
+    wire [11:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [327:0] samples_out_data;
     wire depth_test_fail, depth_test_pass;
@@ -1895,8 +1910,8 @@ module splat_accumulator (
     wire sample_ends_in_0 = inside_8 & ~pixel_8[0];
     wire changes = ~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]);
     wire writes_0 = sample_ends_in_0 ? changes : (fill_valid & ~fill_pixel[0]);
-    wire [5:0] bank_1_pixels_address_bits = {slot_8, pixel_8[5:1]};
-    wire [5:0] bank_1_pixels_address_bits_2 = {fill_slot, fill_pixel[5:1]};
+    wire [7:0] bank_1_pixels_address_bits = {slot_8, pixel_8[5:1]};
+    wire [7:0] bank_1_pixels_address_bits_2 = {fill_slot, fill_pixel[5:1]};
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
     wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
@@ -1941,8 +1956,8 @@ module splat_accumulator (
         fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
         fill_cardinal_0
     };
-    wire [5:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
-    wire [5:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
+    wire [7:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
+    wire [7:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
     wire sample_ends_in_1 = inside_8 & pixel_8[0];
     wire writes_1 = sample_ends_in_1 ? changes : (fill_valid & fill_pixel[0]);
     wire slot_wait = may_issue_inside & ~arrived;
@@ -1953,10 +1968,10 @@ module splat_accumulator (
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire places_out_end = places_out_data[9];
-    wire places_out_last = places_out_data[8];
-    wire places_out_inside = places_out_data[7];
-    wire places_out_slot = places_out_data[6];
+    wire places_out_end = places_out_data[11];
+    wire places_out_last = places_out_data[10];
+    wire places_out_inside = places_out_data[9];
+    wire [2:0] places_out_slot = places_out_data[8:6];
     wire [5:0] places_out_pixel = places_out_data[5:0];
     wire [15:0] samples_out_weight = samples_out_data[327:312];
     wire [39:0] samples_out_weighted_depth = samples_out_data[311:272];
@@ -1976,23 +1991,23 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
-    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[8:0] == {head_slot, head_pixel});
     wire [7:0] collisions_bits = {
-        inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
-        inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
-        inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
-        inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
-        inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
-        inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), collisions_both
+        inside_7 & (places_out_data[8:0] == {slot_7, pixel_7}),
+        inside_6 & (places_out_data[8:0] == {slot_6, pixel_6}),
+        inside_5 & (places_out_data[8:0] == {slot_5, pixel_5}),
+        inside_4 & (places_out_data[8:0] == {slot_4, pixel_4}),
+        inside_3 & (places_out_data[8:0] == {slot_3, pixel_3}),
+        inside_2 & (places_out_data[8:0] == {slot_2, pixel_2}),
+        inside_1 & (places_out_data[8:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
-    wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire [7:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [7:0] arrived_shifted_2 = slot_ready >> head_slot;
     wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
-    wire masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
+    wire [2:0] masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
     wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
     wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
-    wire masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
+    wire [2:0] masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
     wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
     wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
     wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
@@ -2062,7 +2077,7 @@ module splat_accumulator (
         drained_attribute_10, drained_attribute_11, drained_attribute_12, drained_cardinal_0
     } = drained_word;
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) bank_0_pixels (
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_0_pixels (
         .clk(clk), .write(writes_0),
         .write_address(sample_ends_in_0 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
         .write_data(sample_ends_in_0 ? result : bank_1_pixels_data_bits),
@@ -2071,7 +2086,7 @@ module splat_accumulator (
         .read_data(bank_0_read)
     );
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) bank_1_pixels (
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_1_pixels (
         .clk(clk), .write(writes_1),
         .write_address(sample_ends_in_1 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
         .write_data(sample_ends_in_1 ? result : bank_1_pixels_data_bits),
@@ -2080,7 +2095,7 @@ module splat_accumulator (
         .read_data(bank_1_read)
     );
 
-    stream_fifo_d64_w10_distributed places (
+    stream_fifo_d64_w12_distributed places (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
@@ -2451,7 +2466,7 @@ module splat_accumulator (
     end
 
     wire _unused = &{
-        1'b0, arrived_shifted[1], arrived_shifted_2[1], is_written_1_shifted[31:1],
+        1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], is_written_1_shifted[31:1],
         is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
     };
 
@@ -2668,18 +2683,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 10
+// width = 12
 // storage = distributed
-module stream_fifo_d64_w10_distributed (
+module stream_fifo_d64_w12_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [9:0] entries [0:63];
+    reg [11:0] entries [0:63];
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    reg [9:0] item;
+    reg [11:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -2733,7 +2748,7 @@ module splat_weighting (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [23:0] in_depth,  // Depth.
@@ -2757,7 +2772,7 @@ module splat_weighting (
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [39:0] out_weighted_depth,  // Weighted depth.
@@ -2781,12 +2796,12 @@ module splat_weighting (
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [73:0] delay_10_from_0 [0:8];
+    reg [75:0] delay_10_from_0 [0:8];
     reg [4:0] credits;
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [73:0] delay_10_from_0_out;
+    reg [75:0] delay_10_from_0_out;
     reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
@@ -2806,7 +2821,7 @@ module splat_weighting (
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
     wire queue_1_in_ready;
-    wire [113:0] queue_1_out_data;
+    wire [115:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
     wire [127:0] queue_2_out_data;
     wire queue_3_in_ready, queue_3_out_valid;
@@ -2819,11 +2834,11 @@ module splat_weighting (
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
-    wire slot_d10 = delay_10_from_0_out[3];
-    wire [5:0] pixel_d10 = delay_10_from_0_out[9:4];
-    wire [23:0] depth_low_d10 = delay_10_from_0_out[33:10];
-    wire [23:0] depth_high_d10 = delay_10_from_0_out[57:34];
-    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[73:58];
+    wire [2:0] slot_d10 = delay_10_from_0_out[5:3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[11:6];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[35:12];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[59:36];
+    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[75:60];
     wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
@@ -2909,7 +2924,7 @@ module splat_weighting (
         .y(mul_f16_unit_copy13_y)
     );
 
-    stream_fifo_d14_w114_distributed queue_1 (
+    stream_fifo_d14_w116_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
             end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
@@ -3164,17 +3179,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 14
-// width = 114
+// width = 116
 // storage = distributed
-module stream_fifo_d14_w114_distributed (
+module stream_fifo_d14_w116_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [113:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [113:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [115:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [115:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [113:0] entries [0:13];
+    reg [115:0] entries [0:13];
     reg [3:0] held, waiting, write_address, read_address;
-    reg [113:0] item;
+    reg [115:0] item;
 
     wire has_room = ~(held == 4'd14);
     wire push = in_valid & has_room;
@@ -3458,12 +3473,12 @@ module splat_rasterizer (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [23:0] out_depth,  // Depth.
@@ -3488,7 +3503,8 @@ module splat_rasterizer (
     output reg  event_starved,  // The rasterizer had no copy to work on.
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
-    reg busy, idle, is_end, is_last, slot;
+    reg busy, idle, is_end, is_last;
+    reg [2:0] slot;
     reg [11:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
     reg [3:0] first_sum;  // Smallest sum.
@@ -3707,7 +3723,7 @@ endmodule
 module splat_evaluation (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
-    input  wire in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
+    input  wire [2:0] in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
     input  wire [23:0] in_center_x, input wire [23:0] in_center_y, input wire [23:0] in_ax,
     input  wire [23:0] in_bx, input wire [23:0] in_ay, input wire [23:0] in_by,
     input  wire [23:0] in_delta, input wire [23:0] in_mx, input wire [23:0] in_my,
@@ -3715,7 +3731,7 @@ module splat_evaluation (
     input  wire in_sight_turned, input wire in_sight_disc,
     input  wire [23:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
-    output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
+    output wire out_inside, output wire [2:0] out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -3741,7 +3757,7 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg delay_59_from_0 [0:57];
     (* ram_style = "distributed" *)
-    reg [6:0] delay_64_from_0 [0:62];
+    reg [8:0] delay_64_from_0 [0:62];
     reg [7:0] credits;
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
@@ -3766,7 +3782,7 @@ module splat_evaluation (
     reg [5:0] delay_59_from_0_pointer;
     reg delay_59_from_0_out;
     reg [5:0] delay_64_from_0_pointer;
-    reg [6:0] delay_64_from_0_out;
+    reg [8:0] delay_64_from_0_out;
     reg end_d59;
     reg [23:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
     reg [23:0] minus_center_y_d3;
@@ -3785,7 +3801,7 @@ module splat_evaluation (
     wire lt_f24_ftz_unit_y;
     wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
     wire queue_1_in_ready;
-    wire [25:0] queue_1_out_data;
+    wire [27:0] queue_1_out_data;
 
     assign in_ready = ~credits[7];
     wire [23:0] y_times_my_d6 = delay_6_from_0_out[47:24];
@@ -3807,8 +3823,8 @@ module splat_evaluation (
     wire end_d64 = delay_5_from_0_out[0];
     wire last_d64 = delay_5_from_0_out[1];
     wire inside_out_d5 = delay_5_from_0_out[2];
-    wire slot_d64 = delay_64_from_0_out[0];
-    wire [5:0] pixel_out_d64 = delay_64_from_0_out[6:1];
+    wire [2:0] slot_d64 = delay_64_from_0_out[2:0];
+    wire [5:0] pixel_out_d64 = delay_64_from_0_out[8:3];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire sight_negative_d25 = delay_25_from_0_out[0];
     wire rho_squared_unequal = sight_negative_d25 ^ rho_squared_chosen_copy2[23];
@@ -3951,7 +3967,7 @@ module splat_evaluation (
         .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
-    stream_fifo_d68_w26 queue_1 (
+    stream_fifo_d68_w28 queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({end_d64, last_d64, inside_out_d5, slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
@@ -4076,14 +4092,14 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 68
-// width = 26
-module stream_fifo_d68_w26 (
+// width = 28
+module stream_fifo_d68_w28 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
 );
     reg [6:0] held, waiting, write_address, read_address;
-    wire [25:0] item;
+    wire [27:0] item;
 
     wire has_room = ~(held == 7'd68);
     wire push = in_valid & has_room;
@@ -4093,7 +4109,7 @@ module stream_fifo_d68_w26 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(26), .DEPTH(68)) entries (
+    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(68)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -4801,7 +4817,7 @@ module float_from_fixed_s3_f24ftz_w10_f1_unsigned (
 endmodule
 
 // Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 2
+// slots = 8
 module splat_tile_cache (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
@@ -4815,7 +4831,7 @@ module splat_tile_cache (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    input  wire [10:0] in_splat,  // Place of its splat's payload.
+    input  wire [8:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
     output wire [2:0] out_left,  // First column.
@@ -4827,8 +4843,8 @@ module splat_tile_cache (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
-    output wire [10:0] out_splat,  // Place of its splat's payload.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [8:0] out_splat,  // Place of its splat's payload.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
     output wire [11:0] pixel_tile,  // Tile index.
@@ -4850,11 +4866,11 @@ module splat_tile_cache (
     output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    output wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
-    input  wire retire_slot,  // Slot of the tile cache.
+    input  wire [2:0] retire_slot,  // Slot of the tile cache.
     output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
-    output wire change_slot,  // Slot of the tile cache.
+    output wire [2:0] change_slot,  // Slot of the tile cache.
     output wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
     output wire [63:0] change_held,  // A bit for each pixel that will be filled.
     input  wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
@@ -4867,7 +4883,7 @@ module splat_tile_cache (
     output wire [5:0] read_pixel,  // The first pixel of the tile.
     output wire [3:0] read_count,  // How many there are, at least one.
     output wire drain_enable,  // Read of a slot, until it is carried out.
-    output wire drain_slot,  // Slot of the tile cache.
+    output wire [2:0] drain_slot,  // Slot of the tile cache.
     output wire [5:0] drain_pixel,  // Pixel of the tile.
     input  wire drained_valid,  // A pixel that was read.
     input  wire [5:0] drained_pixel,  // Pixel of the tile.
@@ -4927,7 +4943,7 @@ module splat_tile_cache (
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire fill_valid,  // Write to a slot, until it is carried out.
-    output wire fill_slot,  // Slot of the tile cache.
+    output wire [2:0] fill_slot,  // Slot of the tile cache.
     output reg  [5:0] fill_pixel,  // Pixel of the tile.
     output reg  [27:0] fill_weight,  // Sum of weights.
     output reg  [51:0] fill_depth,  // Sum of weighted depths.
@@ -4958,7 +4974,7 @@ module splat_tile_cache (
     reg [3:0] head_first_difference;  // Smallest difference.
     reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
-    reg [10:0] head_splat;  // Place of its splat's payload.
+    reg [8:0] head_splat;  // Place of its splat's payload.
     reg [1:0] mode;
     reg frame_ended;
     reg [11:0] place;
@@ -4969,7 +4985,9 @@ module splat_tile_cache (
     reg [63:0] mask;
     reg looking;
     reg [1:0] unchanged;
-    reg changed, moving, slot, comes;
+    reg changed, moving;
+    reg [2:0] slot;
+    reg comes;
     reg [11:0] tile;
     reg goes;
     reg [11:0] goes_tile;
@@ -4985,7 +5003,7 @@ module splat_tile_cache (
     reg [2:0] leaving_row;
     reg [7:0] leaving_left;
     reg [3:0] owed;
-    reg next;
+    reg [2:0] next;
     reg [11:0] tile_0;
     reg resident_0, ready_0;
     reg [7:0] in_flight_0;
@@ -4994,10 +5012,34 @@ module splat_tile_cache (
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
     reg used_1, is_of_copy_1;
+    reg [11:0] tile_2;
+    reg resident_2, ready_2;
+    reg [7:0] in_flight_2;
+    reg used_2, is_of_copy_2;
+    reg [11:0] tile_3;
+    reg resident_3, ready_3;
+    reg [7:0] in_flight_3;
+    reg used_3, is_of_copy_3;
+    reg [11:0] tile_4;
+    reg resident_4, ready_4;
+    reg [7:0] in_flight_4;
+    reg used_4, is_of_copy_4;
+    reg [11:0] tile_5;
+    reg resident_5, ready_5;
+    reg [7:0] in_flight_5;
+    reg used_5, is_of_copy_5;
+    reg [11:0] tile_6;
+    reg resident_6, ready_6;
+    reg [7:0] in_flight_6;
+    reg used_6, is_of_copy_6;
+    reg [11:0] tile_7;
+    reg resident_7, ready_7;
+    reg [7:0] in_flight_7;
+    reg used_7, is_of_copy_7;
     wire [63:0] stored_mask;
 
     wire in_queue_out_valid;
-    wire [51:0] in_queue_out_data;
+    wire [49:0] in_queue_out_data;
     wire out_queue_in_ready;
     wire [52:0] out_queue_out_data;
     wire pixel_queue_in_ready;
@@ -5043,16 +5085,47 @@ module splat_tile_cache (
     wire head_waits = (mode == 2'd1) & head_valid;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
+    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
+    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
+    wire resident_4_and_is_of_copy_4 = resident_4 & is_of_copy_4;
+    wire resident_5_and_is_of_copy_5 = resident_5 & is_of_copy_5;
+    wire resident_6_and_is_of_copy_6 = resident_6 & is_of_copy_6;
+    wire resident_7_and_is_of_copy_7 = resident_7 & is_of_copy_7;
+    wire [7:0] copy_hit_bits = {
+        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
+        resident_3_and_is_of_copy_3, resident_4_and_is_of_copy_4, resident_5_and_is_of_copy_5,
+        resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
+    };
+    wire copy_hit = |copy_hit_bits;
     wire waits_inverted = ~(looking | |unchanged | (changed | moving));
-    wire vacate_either = (~next & ((in_flight_0 == 8'd0) & ~used_0)) | (next & ((in_flight_1 == 8'd0) & ~used_1));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either));
+    wire next_is_0 = next == 3'd0;
+    wire next_is_1 = next == 3'd1;
+    wire vacate_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
+    wire next_is_2 = next == 3'd2;
+    wire next_is_3 = next == 3'd3;
+    wire vacate_either_2 = vacate_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
+    wire next_is_4 = next == 3'd4;
+    wire vacate_either_3 = vacate_either_2 | (next_is_4 & ((in_flight_4 == 8'd0) & ~used_4));
+    wire next_is_5 = next == 3'd5;
+    wire vacate_either_4 = vacate_either_3 | (next_is_5 & ((in_flight_5 == 8'd0) & ~used_5));
+    wire next_is_6 = next == 3'd6;
+    wire vacate_either_5 = vacate_either_4 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6));
+    wire next_is_7 = next == 3'd7;
+    wire vacate_either_6 = vacate_either_5 | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either_6));
     wire head_takes = ~head_valid;
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
+    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
+    wire send_either_3 = send_either_2 | (resident_4_and_is_of_copy_4 & &in_flight_4) | (resident_5_and_is_of_copy_5 & &in_flight_5);
+    wire send_either_4 = send_either_3 | (resident_6_and_is_of_copy_6 & &in_flight_6) | (resident_7_and_is_of_copy_7 & &in_flight_7);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_4));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire send_or_send_end = send | send_end;
+    wire [2:0] copy_slot_either = ({3{resident_1_and_is_of_copy_1}} & 3'd1) | ({3{resident_2_and_is_of_copy_2}} & 3'd2);
+    wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{resident_3_and_is_of_copy_3}} & 3'd3) | ({3{resident_4_and_is_of_copy_4}} & 3'd4);
+    wire [2:0] copy_slot_either_3 = copy_slot_either_2 | ({3{resident_5_and_is_of_copy_5}} & 3'd5) | ({3{resident_6_and_is_of_copy_6}} & 3'd6);
+    wire [2:0] copy_slot = copy_slot_either_3 | {3{resident_7_and_is_of_copy_7}};
     wire close_both = wanted_is_empty & (awaited == 6'd0);
     wire close = mode_is_3 & ~(walking | place_read | place_seen) & (close_both & pixel_queue_in_ready);
     wire beat = takes_data & data_valid;
@@ -5094,27 +5167,34 @@ module splat_tile_cache (
     wire [3:0] came_now = {1'd0, came} + 4'd1;
     wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
     wire run_ends = beat & (came_now == asked_runs_out_count);
-    wire in_queue_out_end = in_queue_out_data[51];
-    wire [2:0] in_queue_out_left = in_queue_out_data[50:48];
-    wire [2:0] in_queue_out_right = in_queue_out_data[47:45];
-    wire [2:0] in_queue_out_top = in_queue_out_data[44:42];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[41:39];
-    wire [3:0] in_queue_out_first_sum = in_queue_out_data[38:35];
-    wire [3:0] in_queue_out_last_sum = in_queue_out_data[34:31];
-    wire [3:0] in_queue_out_first_difference = in_queue_out_data[30:27];
-    wire [3:0] in_queue_out_last_difference = in_queue_out_data[26:23];
-    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
-    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire in_queue_out_end = in_queue_out_data[49];
+    wire [2:0] in_queue_out_left = in_queue_out_data[48:46];
+    wire [2:0] in_queue_out_right = in_queue_out_data[45:43];
+    wire [2:0] in_queue_out_top = in_queue_out_data[42:40];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[39:37];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[36:33];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[32:29];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[28:25];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[24:21];
+    wire [11:0] in_queue_out_tile = in_queue_out_data[20:9];
+    wire [8:0] in_queue_out_splat = in_queue_out_data[8:0];
     wire last_place = &place;
     wire waits = (mode == 2'd2) & waits_inverted;
-    wire any_resident = |{resident_0, resident_1};
+    wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
+    wire any_resident = |any_resident_bits;
     wire finish = waits & (frame_ended & ~pixel_valid & ~any_resident);
-    wire goes_either = (~next & resident_0) | (next & resident_1);
-    wire vacate = waits & (goes_either & vacate_either);
+    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
+    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
+    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
+    wire vacate = waits & (goes_either_4 & vacate_either_6);
     wire job_starts = start | vacate;
     wire [1:0] still_unchanged = unchanged & sample_reads;
     wire change = |unchanged & (still_unchanged == 2'd0);
     wire done = moving & (leaving_is_empty & (owed == 4'd0) & (close_both & ~filling));
+    wire [11:0] goes_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
+    wire [11:0] goes_tile_either_2 = goes_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
+    wire [11:0] goes_tile_either_3 = goes_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
     wire sends = advance & has_pixels;
     wire begins = sends | (change & comes);
     wire [7:0] wanted_run = {
@@ -5199,18 +5279,50 @@ module splat_tile_cache (
     wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_rest_bits & leaving_rest[63:56]);
     wire pixel_leaves = write_valid & write_ready;
     wire starts = job_starts;
-    wire skips = (~next & used_0) | (next & used_1);
-    wire start_and_not_next = start & ~next;
-    wire starts_and_not_next = starts & ~next;
+    wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
+    wire skips_either_2 = skips_either | (next_is_3 & used_3) | (next_is_4 & used_4) | (next_is_5 & used_5);
+    wire skips = skips_either_2 | (next_is_6 & used_6) | (next_is_7 & used_7);
+    wire start_and_next_is_0 = start & next_is_0;
+    wire starts_and_next_is_0 = starts & next_is_0;
     wire done_and_comes = done & comes;
-    wire done_and_comes_and_not_slot = done_and_comes & ~slot;
-    wire send_and_not_copy_slot = send & ~copy_slot;
-    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
-    wire start_and_next = start & next;
-    wire starts_and_next = starts & next;
-    wire done_and_comes_and_slot = done_and_comes & slot;
-    wire send_and_copy_slot = send & copy_slot;
-    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
+    wire ready_0_both = done_and_comes & (slot == 3'd0);
+    wire in_flight_0_both = send & (copy_slot == 3'd0);
+    wire in_flight_0_enable_both = retire_valid & (retire_slot == 3'd0);
+    wire start_and_next_is_1 = start & next_is_1;
+    wire starts_and_next_is_1 = starts & next_is_1;
+    wire ready_1_both = done_and_comes & (slot == 3'd1);
+    wire in_flight_1_both = send & (copy_slot == 3'd1);
+    wire in_flight_1_enable_both = retire_valid & (retire_slot == 3'd1);
+    wire start_and_next_is_2 = start & next_is_2;
+    wire starts_and_next_is_2 = starts & next_is_2;
+    wire ready_2_both = done_and_comes & (slot == 3'd2);
+    wire in_flight_2_both = send & (copy_slot == 3'd2);
+    wire in_flight_2_enable_both = retire_valid & (retire_slot == 3'd2);
+    wire start_and_next_is_3 = start & next_is_3;
+    wire starts_and_next_is_3 = starts & next_is_3;
+    wire ready_3_both = done_and_comes & (slot == 3'd3);
+    wire in_flight_3_both = send & (copy_slot == 3'd3);
+    wire in_flight_3_enable_both = retire_valid & (retire_slot == 3'd3);
+    wire start_and_next_is_4 = start & next_is_4;
+    wire starts_and_next_is_4 = starts & next_is_4;
+    wire ready_4_both = done_and_comes & (slot == 3'd4);
+    wire in_flight_4_both = send & (copy_slot == 3'd4);
+    wire in_flight_4_enable_both = retire_valid & (retire_slot == 3'd4);
+    wire start_and_next_is_5 = start & next_is_5;
+    wire starts_and_next_is_5 = starts & next_is_5;
+    wire ready_5_both = done_and_comes & (slot == 3'd5);
+    wire in_flight_5_both = send & (copy_slot == 3'd5);
+    wire in_flight_5_enable_both = retire_valid & (retire_slot == 3'd5);
+    wire start_and_next_is_6 = start & next_is_6;
+    wire starts_and_next_is_6 = starts & next_is_6;
+    wire ready_6_both = done_and_comes & (slot == 3'd6);
+    wire in_flight_6_both = send & (copy_slot == 3'd6);
+    wire in_flight_6_enable_both = retire_valid & (retire_slot == 3'd6);
+    wire start_and_next_is_7 = start & next_is_7;
+    wire starts_and_next_is_7 = starts & next_is_7;
+    wire ready_7_both = done_and_comes & (slot == 3'd7);
+    wire in_flight_7_both = send & (copy_slot == 3'd7);
+    wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
 
     assign {
         out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
@@ -5222,7 +5334,7 @@ module splat_tile_cache (
         pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
         pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
     } = pixel_queue_out_data;
-    assign slot_ready = {ready_1, ready_0};
+    assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
     assign change_valid = |unchanged;
     assign change_slot = slot;
     assign change_banks = unchanged;
@@ -5248,7 +5360,7 @@ module splat_tile_cache (
         .read(start | advance), .read_address(mode_is_3 ? place : head_tile), .read_data(stored_mask)
     );
 
-    stream_half_buffer_w52 in_queue (
+    stream_half_buffer_w50 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
@@ -5323,7 +5435,7 @@ module splat_tile_cache (
             leaving_rest <= 64'd0;
             leaving_left <= 8'd0;
             owed <= 4'd0;
-            next <= 1'd0;
+            next <= 3'd0;
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
@@ -5332,6 +5444,30 @@ module splat_tile_cache (
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
             used_1 <= 1'd0;
+            resident_2 <= 1'd0;
+            ready_2 <= 1'd0;
+            in_flight_2 <= 8'd0;
+            used_2 <= 1'd0;
+            resident_3 <= 1'd0;
+            ready_3 <= 1'd0;
+            in_flight_3 <= 8'd0;
+            used_3 <= 1'd0;
+            resident_4 <= 1'd0;
+            ready_4 <= 1'd0;
+            in_flight_4 <= 8'd0;
+            used_4 <= 1'd0;
+            resident_5 <= 1'd0;
+            ready_5 <= 1'd0;
+            in_flight_5 <= 8'd0;
+            used_5 <= 1'd0;
+            resident_6 <= 1'd0;
+            ready_6 <= 1'd0;
+            in_flight_6 <= 8'd0;
+            used_6 <= 1'd0;
+            resident_7 <= 1'd0;
+            ready_7 <= 1'd0;
+            in_flight_7 <= 8'd0;
+            used_7 <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
             mode <= ((mode_is_0 & last_place) | close) ? 2'd1 : send_end ? 2'd2 : finish ? 2'd3 : mode;
@@ -5344,8 +5480,14 @@ module splat_tile_cache (
             taken_banks <= sample_writes;
             leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
-            used_0 <= send_and_not_copy_slot | (used_0 & next);
-            used_1 <= send_and_copy_slot | (used_1 & ~next);
+            used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
+            used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
+            used_2 <= in_flight_2_both | (used_2 & ~next_is_2);
+            used_3 <= in_flight_3_both | (used_3 & ~next_is_3);
+            used_4 <= in_flight_4_both | (used_4 & ~next_is_4);
+            used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
+            used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
+            used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
             if (frame_end | finish) frame_ended <= frame_end;
             if (mode_is_0 | (advance & walking)) place <= place + 12'd1;
             if (finish | advance) walking <= finish | (walking & ~last_place);
@@ -5361,18 +5503,46 @@ module splat_tile_cache (
             if (mask_is_kept | leaving_row_ends) begin
                 leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
             end
-            if (starts | skips | (waits & ~finish)) next <= next ? 1'd0 : (next + 1'd1);
-            if (starts_and_not_next) resident_0 <= start_and_not_next;
-            if (done_and_comes_and_not_slot | starts_and_not_next) begin
-                ready_0 <= done_and_comes_and_not_slot;
+            if (starts | skips | (waits & ~finish)) next <= next_is_7 ? 3'd0 : (next + 3'd1);
+            if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
+            if (ready_0_both | starts_and_next_is_0) ready_0 <= ready_0_both;
+            if (in_flight_0_both ^ in_flight_0_enable_both) begin
+                in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
-                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (starts_and_next_is_1) resident_1 <= start_and_next_is_1;
+            if (ready_1_both | starts_and_next_is_1) ready_1 <= ready_1_both;
+            if (in_flight_1_both ^ in_flight_1_enable_both) begin
+                in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
-            if (starts_and_next) resident_1 <= start_and_next;
-            if (done_and_comes_and_slot | starts_and_next) ready_1 <= done_and_comes_and_slot;
-            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
-                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (starts_and_next_is_2) resident_2 <= start_and_next_is_2;
+            if (ready_2_both | starts_and_next_is_2) ready_2 <= ready_2_both;
+            if (in_flight_2_both ^ in_flight_2_enable_both) begin
+                in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
+            end
+            if (starts_and_next_is_3) resident_3 <= start_and_next_is_3;
+            if (ready_3_both | starts_and_next_is_3) ready_3 <= ready_3_both;
+            if (in_flight_3_both ^ in_flight_3_enable_both) begin
+                in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            end
+            if (starts_and_next_is_4) resident_4 <= start_and_next_is_4;
+            if (ready_4_both | starts_and_next_is_4) ready_4 <= ready_4_both;
+            if (in_flight_4_both ^ in_flight_4_enable_both) begin
+                in_flight_4 <= in_flight_4_both ? (in_flight_4 + 8'd1) : (in_flight_4 - 8'd1);
+            end
+            if (starts_and_next_is_5) resident_5 <= start_and_next_is_5;
+            if (ready_5_both | starts_and_next_is_5) ready_5 <= ready_5_both;
+            if (in_flight_5_both ^ in_flight_5_enable_both) begin
+                in_flight_5 <= in_flight_5_both ? (in_flight_5 + 8'd1) : (in_flight_5 - 8'd1);
+            end
+            if (starts_and_next_is_6) resident_6 <= start_and_next_is_6;
+            if (ready_6_both | starts_and_next_is_6) ready_6 <= ready_6_both;
+            if (in_flight_6_both ^ in_flight_6_enable_both) begin
+                in_flight_6 <= in_flight_6_both ? (in_flight_6 + 8'd1) : (in_flight_6 - 8'd1);
+            end
+            if (starts_and_next_is_7) resident_7 <= start_and_next_is_7;
+            if (ready_7_both | starts_and_next_is_7) ready_7 <= ready_7_both;
+            if (in_flight_7_both ^ in_flight_7_enable_both) begin
+                in_flight_7 <= in_flight_7_both ? (in_flight_7 + 8'd1) : (in_flight_7 - 8'd1);
             end
         end
     end
@@ -5399,16 +5569,28 @@ module splat_tile_cache (
             slot <= next;
             comes <= start;
             tile <= head_tile;
-            goes <= goes_either;
-            goes_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
+            goes <= goes_either_4;
+            goes_tile <= goes_tile_either_3 | ({12{next_is_7}} & tile_7);
         end
         if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
         if (begins) wanted_tile <= sends ? seen_place : tile;
         if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
-        if (start_and_not_next) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
-        if (start_and_next) tile_1 <= head_tile;
+        if (start_and_next_is_0) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
+        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
+        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
+        is_of_copy_4 <= head_takes ? (tile_4 == in_queue_out_tile) : (is_of_copy_4 | start_and_next_is_4);
+        is_of_copy_5 <= head_takes ? (tile_5 == in_queue_out_tile) : (is_of_copy_5 | start_and_next_is_5);
+        is_of_copy_6 <= head_takes ? (tile_6 == in_queue_out_tile) : (is_of_copy_6 | start_and_next_is_6);
+        is_of_copy_7 <= head_takes ? (tile_7 == in_queue_out_tile) : (is_of_copy_7 | start_and_next_is_7);
+        if (start_and_next_is_1) tile_1 <= head_tile;
+        if (start_and_next_is_2) tile_2 <= head_tile;
+        if (start_and_next_is_3) tile_3 <= head_tile;
+        if (start_and_next_is_4) tile_4 <= head_tile;
+        if (start_and_next_is_5) tile_5 <= head_tile;
+        if (start_and_next_is_6) tile_6 <= head_tile;
+        if (start_and_next_is_7) tile_7 <= head_tile;
         if (beat_and_not_mode_is_3) begin
             fill_pixel <= coming_pixel;
             fill_weight <= data_weight;
@@ -5438,7 +5620,13 @@ module splat_tile_cache (
 `ifdef FORMAL
         drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
         slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
-        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
+        slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
+        slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
+        slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
+        slot_4_retires_what_entered: assert (~in_flight_4_enable_both | |in_flight_4);
+        slot_5_retires_what_entered: assert (~in_flight_5_enable_both | |in_flight_5);
+        slot_6_retires_what_entered: assert (~in_flight_6_enable_both | |in_flight_6);
+        slot_7_retires_what_entered: assert (~in_flight_7_enable_both | |in_flight_7);
 `else
         if (!(~drained_valid | write_queue_in_ready)) begin
             $display("assertion failed: drained_pixels_find_room in %m"); $stop;
@@ -5446,8 +5634,26 @@ module splat_tile_cache (
         if (!(~in_flight_0_enable_both | |in_flight_0)) begin
             $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
-        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+        if (!(~in_flight_1_enable_both | |in_flight_1)) begin
             $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_2_enable_both | |in_flight_2)) begin
+            $display("assertion failed: slot_2_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_3_enable_both | |in_flight_3)) begin
+            $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_4_enable_both | |in_flight_4)) begin
+            $display("assertion failed: slot_4_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_5_enable_both | |in_flight_5)) begin
+            $display("assertion failed: slot_5_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_6_enable_both | |in_flight_6)) begin
+            $display("assertion failed: slot_6_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_7_enable_both | |in_flight_7)) begin
+            $display("assertion failed: slot_7_retires_what_entered in %m"); $stop;
         end
 `endif
     end
@@ -5571,49 +5777,6 @@ module stream_fifo_d32_w22_distributed (
 endmodule
 
 // Queue of two in registers.
-// width = 22
-module stream_skid_w22 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
-);
-    reg second_valid;
-    reg [21:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue of two in registers.
 // width = 339
 module stream_skid_w339 (
     input  wire clk, input wire rst,
@@ -5715,7 +5878,7 @@ module stream_fifo_d16_w53_distributed (
 endmodule
 
 // Orders splat copies by tile; what else they have waits in a memory.
-// levels = 12
+// levels = 10
 module splat_reorder (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in any order.
@@ -5729,7 +5892,7 @@ module splat_reorder (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    input  wire [10:0] in_splat,  // Place of its splat's payload.
+    input  wire [8:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
     output wire [2:0] out_left,  // First column.
@@ -5741,36 +5904,37 @@ module splat_reorder (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
-    output wire [10:0] out_splat  // Place of its splat's payload.
+    output wire [8:0] out_splat  // Place of its splat's payload.
 );
     reg free_valid;
-    reg [11:0] free;
-    reg [12:0] fresh;
+    reg [9:0] free;
+    reg [10:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [38:0] stage_rest;
+    wire [36:0] stage_rest;
 
     wire in_queue_out_valid;
-    wire [51:0] in_queue_out_data;
+    wire [49:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [51:0] out_queue_out_data;
-    wire heap_in_ready, heap_out_valid;
-    wire [11:0] heap_out_tile, heap_out_pointer;
-    wire heap_empty, returned_in_ready, returned_out_valid;
-    wire [11:0] returned_out_data;
+    wire [49:0] out_queue_out_data;
+    wire lists_in_ready, lists_out_valid;
+    wire [11:0] lists_out_tile;
+    wire [9:0] lists_out_pointer;
+    wire lists_empty, returned_in_ready, returned_out_valid;
+    wire [9:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[51];
+    wire in_queue_out_end = in_queue_out_data[49];
     wire offer = open & ~in_queue_out_end & free_valid;
-    wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire [8:0] in_queue_out_splat = in_queue_out_data[8:0];
     wire advance = ~stage_valid | out_queue_in_ready;
-    wire insert = offer & heap_in_ready;
+    wire insert = offer & lists_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
-    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
-    wire leaving = heap_out_valid & advance;
-    wire all_used = fresh[12];
+    wire close = draining & (lists_empty & ~stage_valid & out_queue_in_ready);
+    wire [11:0] in_queue_out_tile = in_queue_out_data[20:9];
+    wire leaving = lists_out_valid & advance;
+    wire all_used = fresh[10];
     wire returned_out_ready = ~free_valid & all_used;
 
     assign {
@@ -5778,13 +5942,13 @@ module splat_reorder (
         out_last_difference, out_tile, out_splat
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(39), .DEPTH(4096), .SLICE(4)) rests (
+    memory_1w1r_unordered #(.WIDTH(37), .DEPTH(1024), .SLICE(18)) rests (
         .clk(clk), .write(offer), .write_address(free),
-        .write_data({in_queue_out_data[50:23], in_queue_out_splat}),
-        .read(advance), .read_address(heap_out_pointer), .read_data(stage_rest)
+        .write_data({in_queue_out_data[48:21], in_queue_out_splat}),
+        .read(advance), .read_address(lists_out_pointer), .read_data(stage_rest)
     );
 
-    stream_half_buffer_w52 in_queue (
+    stream_half_buffer_w50 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
@@ -5793,41 +5957,41 @@ module splat_reorder (
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w52 out_queue (
+    stream_half_buffer_w50 out_queue (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & out_queue_in_ready)),
-        .in_ready(out_queue_in_ready), .in_data({close, stage_rest[38:11], stage_tile, stage_rest[10:0]}),
+        .in_ready(out_queue_in_ready), .in_data({close, stage_rest[36:9], stage_tile, stage_rest[8:0]}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap heap (
-        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+    splat_lists lists (
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(lists_in_ready), .in_tile(in_queue_out_tile),
         .in_pointer(free),
-        .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
-        .out_pointer(heap_out_pointer),
-        .empty(heap_empty)
+        .out_valid(lists_out_valid), .out_ready(advance), .out_tile(lists_out_tile),
+        .out_pointer(lists_out_pointer),
+        .empty(lists_empty)
     );
 
-    stream_fifo_d4096_w12 returned (
-        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+    stream_fifo_d1024_w10 returned (
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(lists_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             free_valid <= 1'd0;
-            fresh <= 13'd0;
+            fresh <= 11'd0;
             draining <= 1'd0;
             stage_valid <= 1'd0;
         end else begin
             free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
-            if (~(free_valid | all_used)) fresh <= fresh + 13'd1;
+            if (~(free_valid | all_used)) fresh <= fresh + 11'd1;
             if (take_end | close) draining <= take_end;
             if (advance) stage_valid <= leaving;
         end
     end
     always @(posedge clk) begin
-        if (~free_valid) free <= all_used ? returned_out_data : fresh[11:0];
-        if (advance) stage_tile <= heap_out_tile;
+        if (~free_valid) free <= all_used ? returned_out_data : fresh[9:0];
+        if (advance) stage_tile <= lists_out_tile;
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -5846,18 +6010,18 @@ module splat_reorder (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 4096
-// width = 12
-module stream_fifo_d4096_w12 (
+// depth = 1024
+// width = 10
+module stream_fifo_d1024_w10 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
-    reg [12:0] held, waiting;
-    reg [11:0] write_address, read_address;
-    wire [11:0] item;
+    reg [10:0] held, waiting;
+    reg [9:0] write_address, read_address;
+    wire [9:0] item;
 
-    wire has_room = ~held[12];
+    wire has_room = ~held[10];
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -5865,35 +6029,35 @@ module stream_fifo_d4096_w12 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(12), .DEPTH(4096)) entries (
+    memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 13'd0;
-            waiting <= 13'd0;
-            write_address <= 12'd0;
-            read_address <= 12'd0;
+            held <= 11'd0;
+            waiting <= 11'd0;
+            write_address <= 10'd0;
+            read_address <= 10'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {12'd0, push}) - {12'd0, pop};
-            waiting <= (waiting + {12'd0, push}) - {12'd0, fetch};
+            held <= (held + {10'd0, push}) - {10'd0, pop};
+            waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 12'd1;
-            if (fetch) read_address <= read_address + 12'd1;
+            if (push) write_address <= write_address + 10'd1;
+            if (fetch) read_address <= read_address + 10'd1;
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 13'h1000);
-        held_is_waiting_and_shown: assert (held == (waiting + {12'd0, out_valid}));
+        held_in_range: assert (held <= 11'h400);
+        held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
 `else
-        if (!(held <= 13'h1000)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {12'd0, out_valid}))) begin
+        if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {10'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
@@ -5901,1351 +6065,273 @@ module stream_fifo_d4096_w12 (
 `endif
 endmodule
 
-// Pipelined heap that orders splat copies by tile, then by arrival.
-// levels = 12
-// interval = 4
-// sequence_bits = 16
-module splat_heap (
+// Lists of splat copies, one for each tile; some are served in turn.
+// pointers = 1024
+// tiles_in_turn = 4
+module splat_lists (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready,  // Entries in any order.
+    input  wire in_valid, output wire in_ready,  // Entries in any order; no pointer comes again before it has left.
     input  wire [11:0] in_tile,  // Tile index.
-    input  wire [11:0] in_pointer,  // Place of the rest.
-    output wire out_valid, input wire out_ready,  // Entries in order.
+    input  wire [9:0] in_pointer,  // Place of the rest.
+    output wire out_valid, input wire out_ready,  // Entries of a tile in order of arrival, those of some tiles in turn.
     output wire [11:0] out_tile,  // Tile index.
-    output wire [11:0] out_pointer,  // Place of the rest.
+    output wire [9:0] out_pointer,  // Place of the rest.
     output wire empty  // It holds no entry.
 );
-    reg ends, lower;
-    reg [11:0] count;
-    reg [15:0] arrival;
-    reg [11:0] alive_even, alive_odd;
-    reg occupied, full, fresh_epoch_blocked;
-    reg [11:0] current;
-    reg lap, last_epoch;
-    reg [11:0] newcomer_tile;
+    reg clearing;
+    reg [11:0] cleared;
+    reg second, may_open, opening;
+    reg [11:0] opened_tile;  // Tile index.
+    reg [9:0] opened_pointer;  // Place of the rest.
+    reg appending;
+    reg [11:0] appended_tile;  // Tile index.
+    reg [9:0] appended_pointer;  // Place of the rest.
+    wire [10:0] found;
+    reg meets_opened, meets_appended, linking, follows;
+    reg [9:0] last;
+    reg joins;
+    reg [9:0] opened_last;
+    reg turn_0_valid, turn_1_valid, turn_2_valid, turn_3_valid;
+    reg [31:0] turn_0, turn_1, turn_2, turn_3;
+    reg goes_on;
+    reg [11:0] going_tile;  // Tile index.
+    reg [9:0] going_last;  // The pointer of its last one.
+    wire [9:0] link;
+    reg [9:0] following;
+    reg [10:0] count;
 
     wire out_queue_in_ready;
-    wire [23:0] out_queue_out_data;
-    wire [40:0] stage_0_root;
-    wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
-    wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
-    wire [40:0] stage_0_below_entry;
-    wire [28:0] stage_0_below_sibling;
-    wire [1:0] stage_0_below_row;
-    wire [40:0] stage_2_promoted_entry;
-    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
-    wire [1:0] stage_2_promoted_node;
-    wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
-    wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
-    wire [40:0] stage_2_below_entry;
-    wire [28:0] stage_2_below_sibling;
-    wire [3:0] stage_2_below_row;
-    wire [40:0] stage_4_promoted_entry;
-    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
-    wire [3:0] stage_4_promoted_node;
-    wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
-    wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
-    wire [40:0] stage_4_below_entry;
-    wire [28:0] stage_4_below_sibling;
-    wire [5:0] stage_4_below_row;
-    wire [40:0] stage_6_promoted_entry;
-    wire stage_6_promoted_exists, stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
-    wire [5:0] stage_6_promoted_node;
-    wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
-    wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
-    wire [40:0] stage_6_below_entry;
-    wire [28:0] stage_6_below_sibling;
-    wire [7:0] stage_6_below_row;
-    wire [40:0] stage_8_promoted_entry;
-    wire stage_8_promoted_exists, stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
-    wire [7:0] stage_8_promoted_node;
-    wire stage_8_below_valid, stage_8_below_hole, stage_8_below_carry, stage_8_below_right;
-    wire stage_8_below_left_exists, stage_8_below_right_exists, stage_8_below_follows;
-    wire [40:0] stage_8_below_entry;
-    wire [28:0] stage_8_below_sibling;
-    wire [9:0] stage_8_below_row;
-    wire [40:0] stage_10_promoted_entry;
-    wire stage_10_promoted_exists, stage_10_promoted_ahead, stage_10_promoted_right;
-    wire stage_10_promoted_childless;
-    wire [9:0] stage_10_promoted_node;
+    wire [21:0] out_queue_out_data;
+    wire beginnings_in_ready, beginnings_out_valid;
+    wire [21:0] beginnings_out_data;
+    wire first_in_ready, first_out_valid;
+    wire [21:0] first_out_data;
 
-    wire begins = ends & ~lower;
-    wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
-    wire push = ready & in_valid;
-    wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire push_and_not_arrival_15 = push & ~arrival[15];
-    wire push_and_arrival_15 = push & arrival[15];
+    wire [11:0] first_out_tile = first_out_data[21:10];
+    wire leaves = second & turn_0_valid & out_queue_in_ready;
+    wire begins = linking & ~follows;
+    wire opens = may_open & ~second;
+    wire may_open_either = (turn_0_valid & (turn_0[31:20] == first_out_tile)) | (turn_1_valid & (turn_1[31:20] == first_out_tile));
+    wire may_open_either_2 = may_open_either | (turn_2_valid & (turn_2[31:20] == first_out_tile));
+    wire may_open_either_3 = may_open_either_2 | (turn_3_valid & (turn_3[31:20] == first_out_tile));
+    wire may_open_either_4 = may_open_either_3 | (goes_on & (going_tile == first_out_tile)) | (turn_3_valid | (goes_on & turn_2_valid));
+    wire [9:0] first_out_pointer = first_out_data[9:0];
+    wire appends = second & in_valid;
+    wire turn_0_valid_choice = leaves ? turn_1_valid : turn_0_valid;
+    wire turn_0_choice = second ? goes_on : joins;
+    wire turn_0_both = turn_0_choice & ~turn_0_valid_choice;
+    wire turn_1_valid_choice = leaves ? turn_2_valid : turn_1_valid;
+    wire turn_1_valid_both = turn_0_choice & (turn_0_valid_choice & ~turn_1_valid_choice);
+    wire turn_2_valid_choice = leaves ? turn_3_valid : turn_2_valid;
+    wire turn_2_valid_both = turn_0_choice & (turn_1_valid_choice & ~turn_2_valid_choice);
+    wire turn_3_valid_choice = leaves ? 1'd0 : turn_3_valid;
+    wire turn_3_valid_both = turn_0_choice & (turn_2_valid_choice & ~turn_3_valid_choice);
+    wire [31:0] turn_3_bits = {
+        second ? going_tile : opened_tile, second ? following : opened_pointer,
+        second ? going_last : opened_last
+    };
 
-    assign in_ready = ready;
+    assign in_ready = second;
     assign {out_tile, out_pointer} = out_queue_out_data;
     assign empty = ~(|count | out_valid);
 
-    stream_skid_w24 out_queue (
-        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
-        .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
+    memory_1w1r_unordered #(.WIDTH(11), .DEPTH(4096)) ends (
+        .clk(clk), .write(clearing | (appending | opening)),
+        .write_address(clearing ? cleared : appending ? appended_tile : opened_tile),
+        .write_data({appending, appended_pointer}),
+        .read(1'd1), .read_address(second ? in_tile : first_out_tile), .read_data(found)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) links (
+        .clk(clk), .write(linking & follows), .write_address(last), .write_data(appended_pointer),
+        .read(second), .read_address(turn_0[19:10]), .read_data(link)
+    );
+
+    stream_skid_w22 out_queue (
+        .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(out_queue_in_ready), .in_data(turn_0[31:10]),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
-        .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
-        .newcomer_lap(newcomer_lap),
-        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
-        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
-        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
-        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
-        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
-        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
-        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
+    stream_fifo_d1024_w22 beginnings (
+        .clk(clk), .rst(rst), .in_valid(begins), .in_ready(beginnings_in_ready),
+        .in_data({appended_tile, appended_pointer}),
+        .out_valid(beginnings_out_valid), .out_ready(first_in_ready), .out_data(beginnings_out_data)
     );
 
-    splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
-        .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
-        .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
-        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
-        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
-        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
-        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
-        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
-        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
-        .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
-        .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
-        .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry), .below_sibling(stage_2_below_sibling),
-        .below_row(stage_2_below_row)
-    );
-
-    splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
-        .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
-        .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
-        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_exists(stage_6_promoted_exists),
-        .below_promoted_ahead(stage_6_promoted_ahead), .below_promoted_right(stage_6_promoted_right),
-        .below_promoted_childless(stage_6_promoted_childless), .below_promoted_node(stage_6_promoted_node),
-        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
-        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
-        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node),
-        .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
-        .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
-        .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry), .below_sibling(stage_4_below_sibling),
-        .below_row(stage_4_below_row)
-    );
-
-    splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
-        .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
-        .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry), .step_sibling(stage_4_below_sibling), .step_row(stage_4_below_row),
-        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_exists(stage_8_promoted_exists),
-        .below_promoted_ahead(stage_8_promoted_ahead), .below_promoted_right(stage_8_promoted_right),
-        .below_promoted_childless(stage_8_promoted_childless), .below_promoted_node(stage_8_promoted_node),
-        .promoted_entry(stage_6_promoted_entry), .promoted_exists(stage_6_promoted_exists),
-        .promoted_ahead(stage_6_promoted_ahead), .promoted_right(stage_6_promoted_right),
-        .promoted_childless(stage_6_promoted_childless), .promoted_node(stage_6_promoted_node),
-        .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
-        .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
-        .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry), .below_sibling(stage_6_below_sibling),
-        .below_row(stage_6_below_row)
-    );
-
-    splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
-        .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
-        .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry), .step_sibling(stage_6_below_sibling), .step_row(stage_6_below_row),
-        .below_promoted_entry(stage_10_promoted_entry), .below_promoted_exists(stage_10_promoted_exists),
-        .below_promoted_ahead(stage_10_promoted_ahead), .below_promoted_right(stage_10_promoted_right),
-        .below_promoted_childless(stage_10_promoted_childless), .below_promoted_node(stage_10_promoted_node),
-        .promoted_entry(stage_8_promoted_entry), .promoted_exists(stage_8_promoted_exists),
-        .promoted_ahead(stage_8_promoted_ahead), .promoted_right(stage_8_promoted_right),
-        .promoted_childless(stage_8_promoted_childless), .promoted_node(stage_8_promoted_node),
-        .below_valid(stage_8_below_valid), .below_hole(stage_8_below_hole), .below_carry(stage_8_below_carry),
-        .below_right(stage_8_below_right), .below_left_exists(stage_8_below_left_exists),
-        .below_right_exists(stage_8_below_right_exists), .below_follows(stage_8_below_follows),
-        .below_entry(stage_8_below_entry), .below_sibling(stage_8_below_sibling),
-        .below_row(stage_8_below_row)
-    );
-
-    splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
-        .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
-        .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
-        .step_entry(stage_8_below_entry), .step_sibling(stage_8_below_sibling), .step_row(stage_8_below_row),
-        .promoted_entry(stage_10_promoted_entry), .promoted_exists(stage_10_promoted_exists),
-        .promoted_ahead(stage_10_promoted_ahead), .promoted_right(stage_10_promoted_right),
-        .promoted_childless(stage_10_promoted_childless), .promoted_node(stage_10_promoted_node)
+    stream_half_buffer_w22 first (
+        .clk(clk), .rst(rst), .in_valid(beginnings_out_valid), .in_ready(first_in_ready),
+        .in_data(beginnings_out_data),
+        .out_valid(first_out_valid), .out_ready(opens), .out_data(first_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            count <= 12'd0;
-            arrival <= 16'd0;
-            alive_even <= 12'd0;
-            alive_odd <= 12'd0;
-            occupied <= 1'd0;
-            full <= 1'd0;
-            fresh_epoch_blocked <= 1'd0;
-            current <= 12'd0;
-            lap <= 1'd0;
+            clearing <= 1'd1;
+            cleared <= 12'd0;
+            second <= 1'd0;
+            may_open <= 1'd0;
+            opening <= 1'd0;
+            appending <= 1'd0;
+            linking <= 1'd0;
+            joins <= 1'd0;
+            turn_0_valid <= 1'd0;
+            turn_1_valid <= 1'd0;
+            turn_2_valid <= 1'd0;
+            turn_3_valid <= 1'd0;
+            goes_on <= 1'd0;
+            count <= 11'd0;
         end else begin
-            ends <= ~ends;
-            occupied <= |count;
-            full <= &count;
-            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-            if (ends) lower <= ~lower;
-            if (push ^ pop) count <= push ? (count + 12'd1) : (count - 12'd1);
-            if (push) arrival <= arrival + 16'd1;
-            if (push_and_not_arrival_15 ^ (pop & ~stage_0_root[27])) begin
-                alive_even <= push_and_not_arrival_15 ? (alive_even + 12'd1) : (alive_even - 12'd1);
+            if (&cleared) clearing <= 1'd0;
+            if (clearing) cleared <= cleared + 12'd1;
+            second <= ~(clearing | second);
+            opening <= opens;
+            appending <= appends;
+            linking <= appending;
+            joins <= opening;
+            turn_0_valid <= turn_0_valid_choice | turn_0_both;
+            turn_1_valid <= turn_1_valid_choice | turn_1_valid_both;
+            turn_2_valid <= turn_2_valid_choice | turn_2_valid_both;
+            turn_3_valid <= turn_3_valid_choice | turn_3_valid_both;
+            if (second) begin
+                may_open <= first_out_valid & ~opening & ~may_open_either_4;
+                goes_on <= leaves & (turn_0[19:10] != turn_0[9:0]);
             end
-            if (push_and_arrival_15 ^ (pop & stage_0_root[27])) begin
-                alive_odd <= push_and_arrival_15 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
-            end
-            if (pop) begin
-                current <= stage_0_root[39:28];
-                lap <= stage_0_root[40];
-            end
+            if (appends ^ leaves) count <= appends ? (count + 11'd1) : (count - 11'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) last_epoch <= arrival[15];
-        if (ends) newcomer_tile <= in_tile;
-    end
-
-    wire _unused = &{1'b0, stage_0_root[26:12]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 10
-// levels = 12
-// interval = 4
-module splat_heap_stage_l10 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [9:0] step_row,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [9:0] promoted_node
-);
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below, compared_left_count, write_back_valid, write_back_hole, write_back_carry;
-    reg write_back_existed, write_back_ahead, write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below, write_back_left_count;
-    reg [43:0] stored;
-    reg [10:0] row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    reg [11:0] last_row, last_row_before;
-    wire [43:0] left_even_shown;
-    reg [43:0] left_even_found;
-    wire [43:0] left_odd_shown;
-    reg [43:0] left_odd_found;
-    wire [43:0] right_even_shown;
-    reg [43:0] right_even_found;
-    wire [43:0] right_odd_shown;
-    reg [43:0] right_odd_found;
-
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
-    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
-    wire [11:0] left_even_nodes_address_choice = lower ? last_row_before : {1'd0, row_before};
-    wire side = left_even_nodes_address_choice[0];
-    wire left_odd_nodes_write_both = ends & (write_back_valid & ~side);
-    wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire is_first_choice = lower ? 1'd0 : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? 1'd0 : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [43:0] node_to_store = {
-        entry_to_store, node_to_store_unequal, node_to_store_either,
-        write_back_left_count + node_to_store_either_2
-    };
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [43:0] compared_sibling_choice = row[0] ? left_odd_found : left_even_found;
-    wire [43:0] compared_sibling_choice_2 = row[0] ? right_odd_found : right_even_found;
-    wire compared_was_first_choice = newer ? first_side : (compared_sibling_choice[2] ^ compared_sibling_choice_2[2]);
-    wire compared_was_first_choice_2 = (compared_exists_choice & compared_exists_choice_2) ? compared_was_first_choice : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice_2 : lower ? left_full_found : step_right;
-    wire [11:0] next_row = {row, goes_right};
-    wire [10:0] row_choice = lower ? {1'd0, step_row} : next_row[10:0];
-    wire right_odd_nodes_write_both = ends & (write_back_valid & side);
-    wire same_side = goes_right ^ ~side;
-    wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
-    wire [40:0] compared_sibling_choice_3 = ~goes_right ? compared_sibling_choice_2[43:3] : compared_sibling_choice[43:3];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_sibling_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_sibling_bits < sibling_stays_bits);
-    wire before_sibling_in_order = before_sibling_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[9:0];
-
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_even_nodes (
-        .clk(clk), .write(left_odd_nodes_write_both & ~left_even_nodes_address_choice[1]),
-        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[10:1]), .read_data(left_even_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_odd_nodes (
-        .clk(clk), .write(left_odd_nodes_write_both & left_even_nodes_address_choice[1]),
-        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[10:1]), .read_data(left_odd_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_even_nodes (
-        .clk(clk), .write(right_odd_nodes_write_both & ~left_even_nodes_address_choice[1]),
-        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[10:1]), .read_data(right_even_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_odd_nodes (
-        .clk(clk), .write(right_odd_nodes_write_both & left_even_nodes_address_choice[1]),
-        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[10:1]), .read_data(right_odd_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
+        if (opens) begin
+            opened_tile <= first_out_tile;
+            opened_pointer <= first_out_pointer;
         end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= compared_follows_choice & same_side;
-            compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice_2;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice_3[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? compared_sibling_choice_2[2] : compared_sibling_choice[2];
-            compared_entry <= goes_right ? compared_sibling_choice_2[43:3] : compared_sibling_choice[43:3];
-            compared_right_below <= goes_right ? compared_sibling_choice_2[1] : compared_sibling_choice[1];
-            compared_left_count <= goes_right ? compared_sibling_choice_2[0] : compared_sibling_choice[0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
-            write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & compared_exists;
-            stored <= node_to_store;
-            row <= row_choice;
-            row_before <= row;
-            last_row <= next_row;
-            last_row_before <= last_row;
+        if (appends) begin
+            appended_tile <= in_tile;
+            appended_pointer <= in_pointer;
         end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= chosen_left_count | ~lower;
-        sibling_stays_found <= sibling_stays;
-        left_even_found <= left_even_shown;
-        left_odd_found <= left_odd_shown;
-        right_even_found <= right_even_shown;
-        right_odd_found <= right_odd_shown;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice_3[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 8
-// levels = 12
-// interval = 4
-module splat_heap_stage_l8 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [7:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [9:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [9:0] below_row
-);
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [2:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [2:0] write_back_left_count;
-    reg [45:0] stored;
-    reg [8:0] row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    wire [45:0] left_even_shown;
-    reg [45:0] left_even_found;
-    wire [45:0] left_odd_shown;
-    reg [45:0] left_odd_found;
-    wire [45:0] right_even_shown;
-    reg [45:0] right_even_found;
-    wire [45:0] right_odd_shown;
-    reg [45:0] right_odd_found;
-
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
-    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [9:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire [45:0] compared_entry_choice = row[0] ? left_odd_found : left_even_found;
-    wire [45:0] compared_entry_choice_2 = row[0] ? right_odd_found : right_even_found;
-    wire compared_was_first_choice = newer ? first_side : (compared_entry_choice[4] ^ compared_entry_choice_2[4]);
-    wire compared_was_first_choice_2 = (compared_exists_choice & compared_exists_choice_2) ? compared_was_first_choice : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice_2 : lower ? left_full_found : step_right;
-    wire [9:0] next_row = {row, goes_right};
-    wire left_odd_nodes_write_both = ends & (write_back_valid & ~side);
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
-    wire [45:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [8:0] row_choice = lower ? {1'd0, step_row} : next_row[8:0];
-    wire right_odd_nodes_write_both = ends & (write_back_valid & side);
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? compared_entry_choice_2[45:5] : compared_entry_choice[45:5];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[7:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = left_full_found;
-    assign below_left_exists = left_exists_found;
-    assign below_right_exists = right_exists_found;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_even_nodes (
-        .clk(clk), .write(left_odd_nodes_write_both & ~side_choice[1]), .write_address(side_choice[9:2]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[8:1]), .read_data(left_even_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_odd_nodes (
-        .clk(clk), .write(left_odd_nodes_write_both & side_choice[1]), .write_address(side_choice[9:2]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[8:1]), .read_data(left_odd_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_even_nodes (
-        .clk(clk), .write(right_odd_nodes_write_both & ~side_choice[1]), .write_address(side_choice[9:2]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[8:1]), .read_data(right_even_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_odd_nodes (
-        .clk(clk), .write(right_odd_nodes_write_both & side_choice[1]), .write_address(side_choice[9:2]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice[8:1]), .read_data(right_odd_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? below_valid_both : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
+        meets_opened <= opening & (in_tile == opened_tile);
+        meets_appended <= appending & (first_out_tile == appended_tile);
+        if (appending) begin
+            follows <= found[10] & ~meets_opened;
+            last <= found[9:0];
         end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= compared_follows_choice & same_side;
-            compared_carried <= lower ? below_entry_choice : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice_2;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? compared_entry_choice_2[4] : compared_entry_choice[4];
-            compared_entry <= goes_right ? compared_entry_choice_2[45:5] : compared_entry_choice[45:5];
-            compared_right_below <= goes_right ? compared_entry_choice_2[3] : compared_entry_choice[3];
-            compared_left_count <= goes_right ? compared_entry_choice_2[2:0] : compared_entry_choice[2:0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
-            write_back_entry <= first;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & {3{compared_exists}};
-            stored <= node_to_store;
-            row <= row_choice;
-            row_before <= row;
+        if (opening) opened_last <= meets_appended ? appended_pointer : found[9:0];
+        if (leaves | turn_0_both) turn_0 <= turn_0_both ? turn_3_bits : turn_1;
+        if (leaves | turn_1_valid_both) turn_1 <= turn_1_valid_both ? turn_3_bits : turn_2;
+        if (leaves | turn_2_valid_both) turn_2 <= turn_2_valid_both ? turn_3_bits : turn_3;
+        if (leaves | turn_3_valid_both) turn_3 <= turn_3_bits;
+        if (second) begin
+            going_tile <= turn_0[31:20];
+            going_last <= turn_0[9:0];
         end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= |chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-        sibling_stays_found <= sibling_stays;
-        left_even_found <= left_even_shown;
-        left_odd_found <= left_odd_shown;
-        right_even_found <= right_even_shown;
-        right_odd_found <= right_odd_shown;
+        if (~second) following <= link;
     end
 
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
+    wire _unused = &{1'b0, beginnings_in_ready};
 
-// Two neighboring levels of the pipelined heap.
-// level = 6
-// levels = 12
-// interval = 4
-module splat_heap_stage_l6 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [5:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [7:0] below_row
-);
-    (* ram_style = "distributed" *)
-    reg [47:0] left_nodes [0:127];
-    (* ram_style = "distributed" *)
-    reg [47:0] right_nodes [0:127];
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [4:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [4:0] write_back_left_count;
-    reg [47:0] stored;
-    reg [6:0] row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    reg [47:0] left_shown, right_shown;
-
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
-    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
-    wire [7:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
-    wire [47:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[5:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = left_full_found;
-    assign below_left_exists = left_exists_found;
-    assign below_right_exists = right_exists_found;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? below_valid_both : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_list_that_begins_has_room: assert (~begins | beginnings_in_ready);
+        a_list_that_waits_has_an_end: assert (~(opening & ~meets_appended) | found[10]);
+`else
+        if (!(~begins | beginnings_in_ready)) begin
+            $display("assertion failed: a_list_that_begins_has_room in %m"); $stop;
         end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= compared_follows_choice & same_side;
-            compared_carried <= lower ? below_entry_choice : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
-            compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
-            compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
-            compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
-            write_back_entry <= first;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & {5{compared_exists}};
-            stored <= node_to_store;
-            row <= lower ? {1'd0, step_row} : next_row[6:0];
-            row_before <= row;
+        if (!(~(opening & ~meets_appended) | found[10])) begin
+            $display("assertion failed: a_list_that_waits_has_an_end in %m"); $stop;
         end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= |chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-        sibling_stays_found <= sibling_stays;
+`endif
     end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[7:1]] <= node_to_store;
-        left_shown <= left_nodes[row];
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[side_choice[7:1]] <= node_to_store;
-        right_shown <= right_nodes[row];
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 4
-// levels = 12
-// interval = 4
-module splat_heap_stage_l4 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [3:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [5:0] below_row
-);
-    (* ram_style = "distributed" *)
-    reg [49:0] left_nodes [0:31];
-    (* ram_style = "distributed" *)
-    reg [49:0] right_nodes [0:31];
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [6:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [6:0] write_back_left_count;
-    reg [49:0] stored;
-    reg [4:0] row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    reg [49:0] left_shown, right_shown;
-
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
-    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
-    wire [5:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
-    wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [6:0] node_to_store_sum = write_back_left_count + {{6{node_to_store_both_4}}, node_to_store_either_2};
-    wire [49:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[3:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = left_full_found;
-    assign below_left_exists = left_exists_found;
-    assign below_right_exists = right_exists_found;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? below_valid_both : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= compared_follows_choice & same_side;
-            compared_carried <= lower ? below_entry_choice : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
-            compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
-            compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
-            compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
-            write_back_entry <= first;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & {7{compared_exists}};
-            stored <= node_to_store;
-            row <= lower ? {1'd0, step_row} : next_row[4:0];
-            row_before <= row;
-        end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= |chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-        sibling_stays_found <= sibling_stays;
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[5:1]] <= node_to_store;
-        left_shown <= left_nodes[row];
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[side_choice[5:1]] <= node_to_store;
-        right_shown <= right_nodes[row];
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 2
-// levels = 12
-// interval = 4
-module splat_heap_stage_l2 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [1:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [3:0] below_row
-);
-    (* ram_style = "distributed" *)
-    reg [51:0] left_nodes [0:7];
-    (* ram_style = "distributed" *)
-    reg [51:0] right_nodes [0:7];
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [8:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [8:0] write_back_left_count;
-    reg [51:0] stored;
-    reg [2:0] row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    reg [51:0] left_shown, right_shown;
-
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
-    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
-    wire [3:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [8:0] node_to_store_sum = write_back_left_count + {{8{node_to_store_both_4}}, node_to_store_either_2};
-    wire [51:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[1:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = left_full_found;
-    assign below_left_exists = left_exists_found;
-    assign below_right_exists = right_exists_found;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? below_valid_both : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= compared_follows_choice & same_side;
-            compared_carried <= lower ? below_entry_choice : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
-            compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
-            compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
-            compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
-            write_back_entry <= first;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & {9{compared_exists}};
-            stored <= node_to_store;
-            row <= lower ? {1'd0, step_row} : next_row[2:0];
-            row_before <= row;
-        end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= |chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
-        sibling_stays_found <= sibling_stays;
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[3:1]] <= node_to_store;
-        left_shown <= left_nodes[row];
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[side_choice[3:1]] <= node_to_store;
-        right_shown <= right_nodes[row];
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 0
-// levels = 12
-// interval = 4
-module splat_heap_stage_l0 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling,
-    input  wire newcomer_lap,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
-    output wire [40:0] root,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [1:0] below_row
-);
-    (* ram_style = "distributed" *)
-    reg [53:0] left_nodes [0:1];
-    (* ram_style = "distributed" *)
-    reg [53:0] right_nodes [0:1];
-    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [10:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [10:0] write_back_left_count;
-    reg [53:0] stored;
-    reg row, row_before;
-    reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
-    reg sibling_stays_found;
-    reg [53:0] left_shown, right_shown;
-
-    wire newer_choice = lower ? compared_follows : step_follows;
-    wire newer = newer_choice & write_back_valid;
-    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[40];
-    wire [40:0] write_back_entry_bits = {before_chosen_choice, compared_carried[39:0]};
-    wire [40:0] first = carried_first ? write_back_entry_bits : chosen_entry_found;
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : write_back_entry_bits;
-    wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
-    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
-    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays_found);
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
-    wire [1:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
-    wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
-    wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(left_exists_found | right_exists_found);
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [10:0] node_to_store_sum = write_back_left_count + {{10{node_to_store_both_4}}, node_to_store_either_2};
-    wire [53:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] before_chosen_bits_2 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (before_chosen_choice ^ chosen_entry[40]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (before_chosen_choice ^ sibling[28]) ? before_chosen_choice_is_lap : before_sibling_in_order;
-    wire [27:0] sibling_stays_bits = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits < before_chosen_bits_2);
-
-    assign root = newer ? entry_to_store : right_shown[53:13];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = left_full_found;
-    assign below_left_exists = left_exists_found;
-    assign below_right_exists = right_exists_found;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            ends <= 1'd1;
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            ends <= ~ends;
-            if (ends) begin
-                lower <= ~lower;
-                compared_valid <= lower ? below_valid_both : step_valid;
-                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (ends) begin
-            compared_hole <= compared_hole_choice;
-            compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= newer_choice & same_side;
-            compared_carried <= lower ? below_entry_choice : step_entry;
-            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-            compared_right <= goes_right;
-            compared_was_first <= goes_right == compared_was_first_choice;
-            compared_parent_sibling <= lower ? sibling : step_sibling;
-            compared_chosen_stored <= newer & same_side;
-            compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= compared_sibling_choice[40:12];
-            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-            compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
-            compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
-            compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
-            compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
-            write_back_hole <= compared_hole;
-            write_back_carry <= compared_carry;
-            write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
-            write_back_sibling_exists <= compared_sibling_exists;
-            write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
-            write_back_entry <= first;
-            write_back_right_below <= chosen_right_below & compared_exists;
-            write_back_left_count <= chosen_left_count & {11{compared_exists}};
-            stored <= node_to_store;
-            row <= lower ? 1'd0 : next_row[0];
-            row_before <= row;
-        end
-        chosen_entry_found <= chosen_entry;
-        before_chosen_found <= before_chosen;
-        before_sibling_found <= before_sibling;
-        left_exists_found <= |chosen_left_count;
-        right_exists_found <= chosen_right_below;
-        left_full_found <= &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
-        sibling_stays_found <= sibling_stays;
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[1]] <= node_to_store;
-        left_shown <= left_nodes[row];
-    end
-    always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[side_choice[1]] <= node_to_store;
-        right_shown <= right_nodes[row];
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
+`endif
 endmodule
 
 // One item in a register, at half rate.
-// width = 52
-module stream_half_buffer_w52 (
+// width = 22
+module stream_half_buffer_w22 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [51:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg full;
-    reg [51:0] item;
+    reg [21:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
+    end
+    always @(posedge clk) if (in_ready) item <= in_data;
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 1024
+// width = 22
+module stream_fifo_d1024_w22 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+);
+    reg [10:0] held, waiting;
+    reg [9:0] write_address, read_address;
+    wire [21:0] item;
+
+    wire has_room = ~held[10];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(22), .DEPTH(1024)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 11'd0;
+            waiting <= 11'd0;
+            write_address <= 10'd0;
+            read_address <= 10'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {10'd0, push}) - {10'd0, pop};
+            waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 10'd1;
+            if (fetch) read_address <= read_address + 10'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 11'h400);
+        held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
+`else
+        if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {10'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// One item in a register, at half rate.
+// width = 50
+module stream_half_buffer_w50 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [49:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [49:0] out_data
+);
+    reg full;
+    reg [49:0] item;
 
     assign in_ready = ~full;
 
@@ -7260,7 +6346,7 @@ module stream_half_buffer_w52 (
 endmodule
 
 // Keeps what the copies of a splat have in common, once.
-// places = 2048
+// places = 512
 // beats = 2
 module splat_payloads (
     input  wire clk, input wire rst,
@@ -7318,7 +6404,7 @@ module splat_payloads (
     output wire [3:0] copy_first_difference,  // Smallest difference.
     output wire [3:0] copy_last_difference,  // Largest difference.
     output wire [11:0] copy_tile,  // Tile index: row above column.
-    output wire [10:0] copy_splat,  // Place of its splat's payload.
+    output wire [8:0] copy_splat,  // Place of its splat's payload.
     input  wire placed_valid, output wire placed_ready,  // Copies that are to be drawn, in any order.
     input  wire placed_end,  // Closes the frame.
     input  wire [2:0] placed_left,  // First column.
@@ -7330,8 +6416,8 @@ module splat_payloads (
     input  wire [3:0] placed_first_difference,  // Smallest difference.
     input  wire [3:0] placed_last_difference,  // Largest difference.
     input  wire [11:0] placed_tile,  // Tile index: row above column.
-    input  wire [10:0] placed_splat,  // Place of its splat's payload.
-    input  wire placed_slot,  // Slot of the tile cache.
+    input  wire [8:0] placed_splat,  // Place of its splat's payload.
+    input  wire [2:0] placed_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // The same with their payload.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -7374,14 +6460,14 @@ module splat_payloads (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
-    output wire out_slot  // Slot of the tile cache.
+    output wire [2:0] out_slot  // Slot of the tile cache.
 );
     reg clearing;
-    reg [10:0] cleared;
+    reg [8:0] cleared;
     reg has_free;
-    reg [10:0] free;
+    reg [8:0] free;
     reg holds, passes;
-    reg [10:0] place;
+    reg [8:0] place;
     reg [12:0] copies;
     reg open, writing, word;
     reg [280:0] word_1;
@@ -7406,8 +6492,8 @@ module splat_payloads (
     reg [3:0] current_first_difference;  // Smallest difference.
     reg [3:0] current_last_difference;  // Largest difference.
     reg [11:0] current_tile;  // Tile index: row above column.
-    reg [10:0] current_splat;  // Place of its splat's payload.
-    reg current_slot;  // Slot of the tile cache.
+    reg [8:0] current_splat;  // Place of its splat's payload.
+    reg [2:0] current_slot;  // Slot of the tile cache.
     wire [280:0] shown_word;
     reg [280:0] kept_0;
     reg held_out_end;  // Closes the frame.
@@ -7451,28 +6537,28 @@ module splat_payloads (
     reg [3:0] held_out_first_difference;  // Smallest difference.
     reg [3:0] held_out_last_difference;  // Largest difference.
     reg [11:0] held_out_tile;  // Tile index: row above column.
-    reg held_out_slot;  // Slot of the tile cache.
+    reg [2:0] held_out_slot;  // Slot of the tile cache.
     reg left_valid;
-    reg [10:0] left_place;
+    reg [8:0] left_place;
     wire [12:0] shown_balance;
     reg reading_valid;
-    reg [10:0] reading_place;
+    reg [8:0] reading_place;
     reg [12:0] reading_number;
     reg caught_valid;
-    reg [10:0] caught_place;
+    reg [8:0] caught_place;
     reg [12:0] caught_number, balance;
     reg added_valid;
-    reg [10:0] added_place;
+    reg [8:0] added_place;
     reg [12:0] added_number;
     reg earlier_valid;
-    reg [10:0] earlier_place;
+    reg [8:0] earlier_place;
     reg [12:0] earlier_number, earliest_number;
     reg follows_added, follows_earlier, follows_earliest;
 
     wire closes_in_ready, closes_out_valid;
-    wire [23:0] closes_out_data;
+    wire [21:0] closes_out_data;
     wire released_in_ready, released_out_valid;
-    wire [10:0] released_out_data;
+    wire [8:0] released_out_data;
     wire placed_queue_out_valid;
     wire [52:0] placed_queue_out_data;
 
@@ -7487,10 +6573,10 @@ module splat_payloads (
     wire advance = ~current_valid | leaves;
     wire advance_or_not_beat = advance | ~beat;
     wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
-    wire [10:0] placed_queue_out_splat = placed_queue_out_data[11:1];
-    wire [10:0] balances_address_choice = added_valid ? added_place : cleared;
-    wire [10:0] closes_out_place = closes_out_data[23:13];
-    wire [10:0] begins_place = left_valid ? left_place : closes_out_place;
+    wire [8:0] placed_queue_out_splat = placed_queue_out_data[11:3];
+    wire [8:0] balances_address_choice = added_valid ? added_place : cleared;
+    wire [8:0] closes_out_place = closes_out_data[21:13];
+    wire [8:0] begins_place = left_valid ? left_place : closes_out_place;
     wire closes_splat = in_valid & (in_first | in_end) & (open & closes_in_ready);
     wire closes_out_ready = ~left_valid;
     wire clears = clearing & ~added_valid;
@@ -7509,7 +6595,7 @@ module splat_payloads (
     wire [3:0] placed_queue_out_first_difference = placed_queue_out_data[31:28];
     wire [3:0] placed_queue_out_last_difference = placed_queue_out_data[27:24];
     wire [11:0] placed_queue_out_tile = placed_queue_out_data[23:12];
-    wire placed_queue_out_slot = placed_queue_out_data[0];
+    wire [2:0] placed_queue_out_slot = placed_queue_out_data[2:0];
     wire is_left = leaves & ~current_end;
     wire begins = left_valid | closes_out_valid;
     wire [12:0] closes_out_copies = closes_out_data[12:0];
@@ -7573,7 +6659,7 @@ module splat_payloads (
     assign out_tile = held_out_tile;
     assign out_slot = held_out_slot;
 
-    memory_1w1r_unordered #(.WIDTH(281), .DEPTH(4096), .SLICE(4)) payload_words (
+    memory_1w1r_unordered #(.WIDTH(281), .DEPTH(1024), .SLICE(18)) payload_words (
         .clk(clk), .write(writing | (~holds & has_free)), .write_address({word, writing ? place : free}),
         .write_data(word ? word_1 : payload_words_data_bits),
         .read(advance_or_not_beat),
@@ -7581,18 +6667,18 @@ module splat_payloads (
         .read_data(shown_word)
     );
 
-    memory_1w1r_unordered #(.WIDTH(13), .DEPTH(2048)) balances (
+    memory_1w1r_unordered #(.WIDTH(13), .DEPTH(512)) balances (
         .clk(clk), .write(clearing | added_valid), .write_address(balances_address_choice),
         .write_data({13{added_valid}} & added_number),
         .read(1'd1), .read_address(begins_place), .read_data(shown_balance)
     );
 
-    stream_skid_w24 closes (
+    stream_skid_w22 closes (
         .clk(clk), .rst(rst), .in_valid(closes_splat), .in_ready(closes_in_ready), .in_data({place, copies}),
         .out_valid(closes_out_valid), .out_ready(closes_out_ready), .out_data(closes_out_data)
     );
 
-    stream_fifo_d2048_w11 released (
+    stream_fifo_d512_w9 released (
         .clk(clk), .rst(rst), .in_valid(releases), .in_ready(released_in_ready),
         .in_data(balances_address_choice),
         .out_valid(released_out_valid), .out_ready(takes_free), .out_data(released_out_data)
@@ -7610,7 +6696,7 @@ module splat_payloads (
     always @(posedge clk) begin
         if (rst) begin
             clearing <= 1'd1;
-            cleared <= 11'd0;
+            cleared <= 9'd0;
             has_free <= 1'd0;
             holds <= 1'd0;
             passes <= 1'd0;
@@ -7624,7 +6710,7 @@ module splat_payloads (
             added_valid <= 1'd0;
             earlier_valid <= 1'd0;
         end else begin
-            clearing <= clearing & ~(clears & (cleared == 11'h7ff));
+            clearing <= clearing & ~(clears & (cleared == 9'd511));
             has_free <= takes_free ? released_out_valid : (has_free & ~begins_splat);
             holds <= holds ? ~(copy_shown & copy_ready) : take;
             passes <= in_valid & ~ready & ~needs_place;
@@ -7635,7 +6721,7 @@ module splat_payloads (
             caught_valid <= reading_valid;
             added_valid <= caught_valid;
             earlier_valid <= added_valid;
-            if (clears) cleared <= cleared + 11'd1;
+            if (clears) cleared <= cleared + 9'd1;
             if (advance) current_valid <= placed_queue_out_valid;
             if (out_room) out_holds <= leaves;
         end
@@ -7797,18 +6883,18 @@ module stream_skid_w53 (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 2048
-// width = 11
-module stream_fifo_d2048_w11 (
+// depth = 512
+// width = 9
+module stream_fifo_d512_w9 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [8:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [8:0] out_data
 );
-    reg [11:0] held, waiting;
-    reg [10:0] write_address, read_address;
-    wire [10:0] item;
+    reg [9:0] held, waiting;
+    reg [8:0] write_address, read_address;
+    wire [8:0] item;
 
-    wire has_room = ~held[11];
+    wire has_room = ~held[9];
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -7816,35 +6902,35 @@ module stream_fifo_d2048_w11 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(11), .DEPTH(2048)) entries (
+    memory_1w1r_unordered #(.WIDTH(9), .DEPTH(512)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 12'd0;
-            waiting <= 12'd0;
-            write_address <= 11'd0;
-            read_address <= 11'd0;
+            held <= 10'd0;
+            waiting <= 10'd0;
+            write_address <= 9'd0;
+            read_address <= 9'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {11'd0, push}) - {11'd0, pop};
-            waiting <= (waiting + {11'd0, push}) - {11'd0, fetch};
+            held <= (held + {9'd0, push}) - {9'd0, pop};
+            waiting <= (waiting + {9'd0, push}) - {9'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 11'd1;
-            if (fetch) read_address <= read_address + 11'd1;
+            if (push) write_address <= write_address + 9'd1;
+            if (fetch) read_address <= read_address + 9'd1;
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 12'h800);
-        held_is_waiting_and_shown: assert (held == (waiting + {11'd0, out_valid}));
+        held_in_range: assert (held <= 10'd512);
+        held_is_waiting_and_shown: assert (held == (waiting + {9'd0, out_valid}));
 `else
-        if (!(held <= 12'h800)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {11'd0, out_valid}))) begin
+        if (!(held <= 10'd512)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {9'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
@@ -7853,14 +6939,14 @@ module stream_fifo_d2048_w11 (
 endmodule
 
 // Queue of two in registers.
-// width = 24
-module stream_skid_w24 (
+// width = 22
+module stream_skid_w22 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg second_valid;
-    reg [23:0] head, second;
+    reg [21:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -7983,7 +7069,7 @@ module splat_splitter (
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, located, idle, last;
+    reg busy, open;
     reg splat_end;  // Closes the frame.
     reg [23:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [23:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -8018,63 +7104,80 @@ module splat_splitter (
     reg [15:0] splat_cardinal_0;  // Attributes.
     reg [8:0] splat_left;  // First column.
     reg [8:0] splat_right;  // Last column.
-    reg [8:0] splat_top;  // First row.
     reg [8:0] splat_bottom;  // Last row.
-    reg [9:0] splat_first_sum;  // Smallest sum.
-    reg [9:0] splat_last_sum;  // Largest sum.
-    reg [9:0] splat_first_difference;  // Smallest difference.
-    reg [9:0] splat_last_difference;  // Largest difference.
+    reg right_most, bottom_most;
     reg [5:0] column, row;
-    reg [3:0] first_sum, past_sum, first_difference, past_difference;
+    reg [2:0] left, right, top, bottom;
+    reg [11:0] first_sum_here, first_sum_row_begins;
+    reg [3:0] first_sum;
+    reg [11:0] past_sum_here, past_sum_row_begins;
+    reg [3:0] past_sum;
+    reg [11:0] first_difference_here, first_difference_row_begins;
+    reg [3:0] first_difference;
+    reg [11:0] past_difference_here, past_difference_row_begins;
+    reg [3:0] past_difference;
     reg first;
 
     wire out_queue_in_ready;
     wire [602:0] out_queue_out_data;
 
-    wire ready = out_queue_in_ready & idle;
-    wire step = out_queue_in_ready & (busy & located);
-    wire [3:0] occupied_bits = {1'd0, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0};
-    wire right_most = column == splat_right[8:3];
-    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
-    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
-    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
-    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
-    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0;
-    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
-    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
-    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
-    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
-    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
-    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
-    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
-    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
-    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
-    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
-    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
-    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire ready = out_queue_in_ready & open;
+    wire step = out_queue_in_ready & busy;
+    wire [3:0] bottom_plus_1 = {1'd0, bottom} + 4'd1;
+    wire [3:0] occupied_choice = (past_sum < {1'd0, left}) ? 4'd0 : (past_sum - {1'd0, left});
+    wire [3:0] occupied_choice_2 = ({1'd1, right} < first_difference) ? 4'd0 : ({1'd1, right} - first_difference);
+    wire occupied_both = ({1'd0, top} < bottom_plus_1) & ({1'd0, top} < occupied_choice) & ({1'd0, top} < occupied_choice_2);
     wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
-    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
-    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
-    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
-    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [4:0] occupied_choice_3 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_4 = (first_sum < {1'd0, right}) ? 4'd0 : (first_sum - {1'd0, right});
+    wire occupied_both_2 = occupied_both & ({1'd0, top} < occupied_choice_3[4:1]) & (occupied_choice_4 < bottom_plus_1);
+    wire occupied_both_3 = occupied_both_2 & (occupied_choice_4 < occupied_choice) & (occupied_choice_4 < occupied_choice_2);
+    wire [3:0] occupied_choice_5 = ({1'd1, left} < past_difference) ? 4'd0 : ({1'd1, left} - past_difference);
+    wire occupied_both_4 = occupied_both_3 & (occupied_choice_4 < occupied_choice_3[4:1]) & (occupied_choice_5 < bottom_plus_1);
+    wire occupied_both_5 = occupied_both_4 & (occupied_choice_5 < occupied_choice) & (occupied_choice_5 < occupied_choice_2);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_6 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire occupied_both_6 = occupied_both_5 & (occupied_choice_5 < occupied_choice_3[4:1]) & (occupied_choice_6[4:1] < bottom_plus_1);
+    wire occupied_both_7 = occupied_both_6 & (occupied_choice_6[4:1] < occupied_choice) & (occupied_choice_6[4:1] < occupied_choice_2);
+    wire occupied_both_8 = occupied_both_7 & (occupied_choice_6[4:1] < occupied_choice_3[4:1]);
+    wire occupied = splat_end | occupied_both_8;
     wire push = step & occupied;
-    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
+    wire [3:0] out_queue_in_data_choice = ({1'd0, top} < occupied_choice_4) ? occupied_choice_4 : {1'd0, top};
+    wire [3:0] out_queue_in_data_choice_2 = (occupied_choice_5 < occupied_choice_6[4:1]) ? occupied_choice_6[4:1] : occupied_choice_5;
+    wire [3:0] out_queue_in_data_choice_3 = (out_queue_in_data_choice < out_queue_in_data_choice_2) ? out_queue_in_data_choice_2 : out_queue_in_data_choice;
+    wire [3:0] out_queue_in_data_choice_4 = (bottom_plus_1 < occupied_choice) ? bottom_plus_1 : occupied_choice;
+    wire [3:0] out_queue_in_data_choice_5 = (occupied_choice_2 < occupied_choice_3[4:1]) ? occupied_choice_2 : occupied_choice_3[4:1];
+    wire [3:0] out_queue_in_data_choice_6 = (out_queue_in_data_choice_4 < out_queue_in_data_choice_5) ? out_queue_in_data_choice_4 : out_queue_in_data_choice_5;
+    wire [3:0] out_queue_in_data_difference = out_queue_in_data_choice_6 - 4'd1;
     wire take = ready & in_valid;
-    wire locate = busy & ~located;
     wire moves = take | step;
-    wire last_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
-    wire [5:0] row_choice = right_most ? (row + 6'd1) : row;
-    wire [5:0] column_choice = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire last_same = {row_choice, column_choice} == {splat_bottom[8:3], splat_right[8:3]};
-    wire [11:0] first_sum_bits = {3'd0, column, 3'd0};
-    wire [11:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
-    wire [11:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
-    wire [11:0] past_sum_difference = ({2'd0, splat_last_sum} + 12'd1) - first_sum_sum;
-    wire [11:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
-    wire [11:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
-    wire [3:0] first_difference_choice = |first_difference_difference[10:4] ? 4'd15 : first_difference_difference[3:0];
-    wire [11:0] past_difference_difference = ({2'd0, splat_last_difference} + 12'd1) - past_difference_sum;
-    wire [3:0] past_difference_choice = |past_difference_difference[10:4] ? 4'd15 : past_difference_difference[3:0];
+    wire one_column = in_left[8:3] == in_right[8:3];
+    wire one_row = in_top[8:3] == in_bottom[8:3];
+    wire [5:0] column_plus_1 = column + 6'd1;
+    wire reaches_right = right_most ? (splat_left[8:3] == splat_right[8:3]) : (column_plus_1 == splat_right[8:3]);
+    wire [5:0] row_plus_1 = row + 6'd1;
+    wire reaches_bottom = row_plus_1 == splat_bottom[8:3];
+    wire open_either = open | (reaches_right & (right_most ? reaches_bottom : bottom_most));
+    wire wraps = step & right_most;
+    wire take_or_wraps = take | wraps;
+    wire [11:0] first_sum_row_begins_bits = {3'd0, in_left[8:3], 3'd0};
+    wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
+    wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
+    wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
+    wire [11:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] past_sum_row_begins_difference = ({2'd0, in_last_sum} + 12'd1) - first_sum_row_begins_sum;
+    wire [11:0] past_sum_row_begins_minus_8 = past_sum_row_begins - 12'd8;
+    wire [11:0] past_sum_next = take ? past_sum_row_begins_difference : wraps ? past_sum_row_begins_minus_8 : (past_sum_here - 12'd8);
+    wire [11:0] past_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
+    wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - past_difference_row_begins_sum;
+    wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
+    wire [11:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
+    wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
+    wire [11:0] past_difference_row_begins_difference = ({2'd0, in_last_difference} + 12'd1) - past_difference_row_begins_sum;
+    wire [11:0] past_difference_row_begins_sum_2 = past_difference_row_begins + 12'd8;
+    wire [11:0] past_difference_next_choice = wraps ? past_difference_row_begins_sum_2 : (past_difference_here - 12'd8);
+    wire [11:0] past_difference_next = take ? past_difference_row_begins_difference : past_difference_next_choice;
 
     assign in_ready = ready;
     assign {
@@ -8095,9 +7198,9 @@ module splat_splitter (
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
-            splat_attribute_11, splat_attribute_12, splat_cardinal_0, out_queue_in_data_choice_2,
-            out_queue_in_data_choice, occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum,
-            past_sum - 4'd1, first_difference, past_difference - 4'd1, row, column
+            splat_attribute_11, splat_attribute_12, splat_cardinal_0, left, right,
+            out_queue_in_data_choice_3[2:0], out_queue_in_data_difference[2:0], first_sum, past_sum - 4'd1,
+            first_difference, past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -8105,20 +7208,13 @@ module splat_splitter (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
-            idle <= 1'd1;
+            open <= 1'd1;
         end else begin
-            busy <= take | (busy & ~(step & last));
-            idle <= locate ? last : (idle & ~take);
+            busy <= take | (busy & ~(step & open));
+            if (moves) open <= take ? (in_end | (one_column & one_row)) : open_either;
         end
     end
     always @(posedge clk) begin
-        located <= locate | (located & ~moves);
-        first <= take | (first & ~push);
-        if (moves) begin
-            last <= take ? last_either : last_same;
-            column <= take ? in_left[8:3] : column_choice;
-            row <= take ? in_top[8:3] : row_choice;
-        end
         if (ready) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
@@ -8154,22 +7250,39 @@ module splat_splitter (
             splat_cardinal_0 <= in_cardinal_0;
             splat_left <= in_left;
             splat_right <= in_right;
-            splat_top <= in_top;
             splat_bottom <= in_bottom;
-            splat_first_sum <= in_first_sum;
-            splat_last_sum <= in_last_sum;
-            splat_first_difference <= in_first_difference;
-            splat_last_difference <= in_last_difference;
         end
-        if (locate) begin
-            first_sum <= first_sum_difference[11] ? 4'd0 : |first_sum_difference[10:4] ? 4'd15 : first_sum_difference[3:0];
-            past_sum <= past_sum_difference[11] ? 4'd0 : |past_sum_difference[10:4] ? 4'd15 : past_sum_difference[3:0];
-            first_difference <= first_difference_difference[11] ? 4'd0 : first_difference_choice;
-            past_difference <= past_difference_difference[11] ? 4'd0 : past_difference_choice;
+        if (moves) begin
+            right_most <= take ? one_column : reaches_right;
+            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
+            left <= take ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
+            right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
+            first_sum_here <= first_sum_next;
+            first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
+            past_sum_here <= past_sum_next;
+            past_sum <= past_sum_next[11] ? 4'd0 : |past_sum_next[10:4] ? 4'd15 : past_sum_next[3:0];
+            first_difference_here <= first_difference_next;
+            first_difference <= first_difference_next[11] ? 4'd0 : first_difference_choice;
+            past_difference_here <= past_difference_next;
+            past_difference <= past_difference_next[11] ? 4'd0 : |past_difference_next[10:4] ? 4'd15 : past_difference_next[3:0];
         end
+        if (take_or_wraps) begin
+            bottom_most <= take ? one_row : reaches_bottom;
+            row <= take ? in_top[8:3] : row_plus_1;
+            top <= take ? in_top[2:0] : 3'd0;
+            bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
+            first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
+            past_sum_row_begins <= take ? past_sum_row_begins_difference : past_sum_row_begins_minus_8;
+            first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
+            past_difference_row_begins <= take ? past_difference_row_begins_difference : past_difference_row_begins_sum_2;
+        end
+        first <= take | (first & ~push);
     end
 
-    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
+    wire _unused = &{
+        1'b0, occupied_choice_3[0], occupied_choice_6[0], out_queue_in_data_choice_3[3],
+        out_queue_in_data_difference[3]
+    };
 endmodule
 
 // One item in a register, at half rate.
