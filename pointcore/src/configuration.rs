@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn what_is_measured_is_what_the_files_say() {
-        assert_eq!(ecp5().heap_levels, 12);
+        assert_eq!((ecp5().heap_levels, ecp5().tile_slots), (10, 8));
         assert_eq!(knn().tree_cache, 0);
     }
 
