@@ -225,8 +225,8 @@ module proof (input clk);
     end
 
 `ifdef STEADY
-    // It goes on: a step is never more than PATIENCE cycles away in which the neighbors let it. Of a frame of tiles that nothing was drawn to nothing shows while their
-    // codes pass.
+    // It goes on: a step is never more than PATIENCE cycles away in which the neighbors let it. Of a frame of tiles that nothing was
+    // drawn to nothing shows while their codes pass.
     localparam PATIENCE = 8;
     wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains || changes != 0
         || frame_end || (in_valid && in_ready) || (out_valid && out_ready);

@@ -30,8 +30,8 @@ fn smaller(a: Expr, b: Expr) -> Expr {
     a.lt(b).mux(a, b)
 }
 
-/// A first sum or difference, or one past the last: from counted from the tile's first pixel, with a sign, to what a tile has of them, in
-/// [`DIAGONAL_BITS`].
+/// What a tile has of a limit, the first one or one past the last, in [`DIAGONAL_BITS`]; `place` counts from the tile's first pixel and
+/// has a sign.
 fn within_tile(place: Expr) -> Expr {
     let beyond = place.bits(place.width() - 2, DIAGONAL_BITS).any();
     let none = lit(DIAGONAL_BITS, 0);
