@@ -1,6 +1,6 @@
 //! `splat_collector` against its model, in every cycle.
 
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, StoredPixel};
 use pointcore_contract::splat::config::RUN_PIXELS_MAX;
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::{read, words};
@@ -32,7 +32,7 @@ fn noise<R: Travels>(config: &Config, count: usize, mut change: impl FnMut(usize
 /// Runs of pixels of tiles that tell the side by their lowest bit.
 fn runs(side: u32) -> impl Iterator<Item = PixelRun> {
     let count = move |number: u32| ((number * (5 + side)) % RUN_PIXELS_MAX) as u8 + 1;
-    (0..READS).map(move |number| PixelRun { tile: 2 * (number % 8) + side, pixel: 0, count: count(number) })
+    (0..READS).map(move |number| PixelRun { surface: number % 3 == 0, tile: 2 * (number % 8) + side, pixel: 0, count: count(number) })
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn it_agrees_with_the_model_and_nothing_is_lost() {
             let mut bench = StreamTestbench::new(device.library(), seed).source("data", data.clone(), stalls(seed)).unwrap();
             for (side, name) in (0..).zip(["low", "high"]) {
                 let end = |index, pixel: &mut FinishedPixel| pixel.end = index % FRAME == FRAME - 1;
-                let mark = |_, pixel: &mut PlacedPixel| pixel.tile = pixel.tile & !1 | side;
+                let mark = |_, pixel: &mut StoredPixel| pixel.placed.tile = pixel.placed.tile & !1 | side;
                 let of = |what: &str| format!("{name}_{what}");
                 let pattern = stalls(seed + u64::from(side));
                 bench = bench.source(&of("read"), runs(side).map(|run| words(&config, run)).collect(), Stall::Random(0.9)).unwrap();

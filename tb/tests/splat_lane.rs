@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, PixelRun, SplatCopy};
+use pointcore_contract::splat::records::{Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::words;
 use pointcore_golden::splat::lane::{In, Lane};
@@ -31,6 +31,7 @@ struct Loop {
     offers: [bool; 2],
     stalls: [Stalls; 5],
     places: Vec<usize>,
+    random: fastrand::Rng,
     /// Pixels that were read, written and finished.
     counts: [usize; 3],
 }
@@ -54,11 +55,12 @@ impl Loop {
             number,
             frames: copies.iter().filter(|copy| copy.end).count(),
             copies,
-            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; 1 << config.tile_bits()],
+            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; config.buffer_tiles()],
             beats: VecDeque::new(),
             offers: [false; 2],
             stalls: [(); 5].map(|()| Stalls::new(stall, random.fork())),
             places: device.input_places(),
+            random,
             counts: [0; 3],
         }
     }
@@ -76,6 +78,7 @@ impl Loop {
             write_ready,
             pixel_ready,
             number: self.number,
+            frame_sent: self.random.u8(..) == 0,
             filter_scale: scene::registers(&self.config).filter_scale,
         };
         if self.offers[0] && out.in_ready {
@@ -88,11 +91,11 @@ impl Loop {
             self.counts[0] += 1;
         }
         if let Some(read) = out.read.filter(|_| read_ready) {
-            let PixelRun { tile, pixel, count } = read;
-            self.beats.extend(&self.tiles[tile as usize][usize::from(pixel)..][..usize::from(count)]);
+            let PixelRun { surface, tile, pixel, count } = read;
+            self.beats.extend(&self.tiles[buffer_tile(&self.config, surface, tile)][usize::from(pixel)..][..usize::from(count)]);
         }
-        if let Some(placed) = out.write.filter(|_| write_ready) {
-            self.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;
+        if let Some(StoredPixel { surface, placed }) = out.write.filter(|_| write_ready) {
+            self.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] = placed.value;
             self.counts[1] += 1;
         }
         if let Some(finished) = out.pixel.filter(|_| pixel_ready) {

@@ -36,6 +36,12 @@ pub const SLOT_BANKS: u32 = 2;
 pub const RUN_PIXELS_MAX: u32 = TILE_SIZE;
 /// Runs of pixels that may be asked for and not have come: enough for memory's latency where runs are short.
 pub const RUNS_ASKED_MAX: u32 = 32;
+/// Frames that the reconstruction buffer has room for: one is drawn while the one before leaves (thesis 5.3).
+pub const SURFACES: u32 = 2;
+/// Bits of a surface's number.
+pub const SURFACE_BITS: u32 = SURFACES.ilog2();
+/// Tiles that were written back for the last time, and wait to leave with their frame.
+pub const GONE_TILES: u32 = 16;
 /// Pixels of evicted tiles that may be read and not be written yet.
 pub const WRITE_QUEUE_DEPTH: u32 = 8;
 /// Copies that wait before each of a distributor's sides.
@@ -302,6 +308,12 @@ impl Config {
     #[must_use]
     pub const fn place_bits(&self) -> u32 {
         self.tile_bits() - self.rasterizer_bits()
+    }
+
+    /// Tiles that the reconstruction buffer holds.
+    #[must_use]
+    pub const fn buffer_tiles(&self) -> usize {
+        (SURFACES as usize) << self.tile_bits()
     }
 
     /// Bits of a tile slot's number.

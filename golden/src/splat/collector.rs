@@ -7,7 +7,7 @@ use crate::stream::{Fifo, Skid};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::COLLECTED_READS;
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, StoredPixel};
 pub use pointcore_contract::splat::units::collector::{In, Out};
 
 /// What two sides take turns at.
@@ -47,7 +47,7 @@ impl<T> Shared<T> {
 #[derive(Clone, Debug)]
 pub struct Collector {
     read: Shared<PixelRun>,
-    write: Shared<PlacedPixel>,
+    write: Shared<StoredPixel>,
     pixel: Shared<FinishedPixel>,
     /// The sides that data are for, in order, and how many each.
     order: Fifo<(usize, u8)>,
@@ -76,10 +76,9 @@ impl Default for Collector {
 }
 
 impl Collector {
-    /// A read must find in memory what was written before it. A side that has ended asks for nothing: its pixels would wait for those of the
-    /// other side, whose data would wait behind its own.
+    /// A read must find in memory what was written before it.
     fn may_read(&self) -> bool {
-        self.order.in_ready() && self.write.out.out().is_none() && !self.ended[self.read.turn]
+        self.order.in_ready() && self.write.out.out().is_none()
     }
 
     /// The frame of the side whose turn it is goes on.
@@ -152,6 +151,7 @@ impl Model for Collector {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::splat::records::PlacedPixel;
 
     #[test]
     fn a_frame_ends_when_both_sides_have() {
@@ -184,14 +184,18 @@ mod tests {
     #[test]
     fn a_read_waits_for_writes_and_gets_its_own_data() {
         let mut unit = Collector::default();
-        let write = PlacedPixel { tile: 3, ..PlacedPixel::default() };
+        let write = StoredPixel::default();
         let mut came = [0; 2];
         let mut asked = [false; 2];
         let mut seen = vec![];
         for cycle in 0..400 {
             let out = unit.outputs();
             let offers = |side: usize| {
-                (cycle > 2 && !asked[side]).then_some(PixelRun { tile: side as u32, pixel: 0, count: 3 + side as u8 })
+                (cycle > 2 && !asked[side]).then_some(PixelRun {
+                    tile: side as u32,
+                    count: 3 + side as u8,
+                    ..PixelRun::default()
+                })
             };
             let inputs = In {
                 low_write: (cycle < 2).then_some(write),

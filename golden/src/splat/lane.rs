@@ -6,6 +6,7 @@ use super::{
 };
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{ArrivedCopy, TileCopy};
 use pointcore_contract::splat::units::LaneEvents;
 pub use pointcore_contract::splat::units::lane::{In, Out};
 
@@ -84,21 +85,27 @@ impl Lane {
         let Shown { payloads, reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
         self.payloads.clock(&payloads::In {
             input: inputs.input,
-            copy_ready: reorder.in_ready,
+            copy_ready: reorder.in_ready && !tile_cache.full,
             placed: tile_cache.out,
             out_ready: rasterizer.in_ready,
         });
-        self.reorder.clock(&reorder::In { input: payloads.copy, out_ready: tile_cache.in_ready });
+        let copy = payloads.copy.filter(|_| !tile_cache.full);
+        self.reorder.clock(&reorder::In { input: copy, out_ready: tile_cache.in_ready });
         self.tile_cache.clock(&tile_cache::In {
             input: reorder.out,
+            arrives: copy.filter(|_| reorder.in_ready).map(|TileCopy { end, tile, splat, .. }| ArrivedCopy {
+                end,
+                tile,
+                splat,
+            }),
             out_ready: payloads.placed_ready,
             read_ready: inputs.read_ready,
             data: inputs.data,
             write_ready: inputs.write_ready,
             pixel_ready: inputs.pixel_ready,
             number: inputs.number,
+            frame_sent: inputs.frame_sent,
             retire: accumulator.retire,
-            frame_end: accumulator.frame_end,
             masks: accumulator.masks,
             sample_writes: accumulator.sample_writes,
             sample_reads: accumulator.sample_reads,

@@ -2,7 +2,9 @@
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Fragment, Pixel, Splat as SplatRecord, UniformWrite, uniform_formats};
+use pointcore_contract::splat::records::{
+    Fragment, Pixel, Splat as SplatRecord, StoredPixel, UniformWrite, buffer_tile, uniform_formats,
+};
 use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
 use pointcore_contract::{Camera, Format, Rendering, Splat};
 use pointcore_golden::float;
@@ -106,6 +108,7 @@ impl Gate {
 
 /// The core with everything around it.
 pub struct Bench {
+    config: Config,
     top: Top,
     memory: Memory,
     random: Option<Rng>,
@@ -123,9 +126,10 @@ impl Bench {
             Stalls::Random(seed) => Some(Rng::with_seed(seed)),
         };
         Self {
+            config: config.clone(),
             top: Top::new(config, latencies),
             // Contents before the first write must not matter.
-            memory: Memory { tiles: vec![[GARBAGE; 64]; 1 << config.tile_bits()], beats: VecDeque::new() },
+            memory: Memory { tiles: vec![[GARBAGE; 64]; config.buffer_tiles()], beats: VecDeque::new() },
             random,
             gates: [(); 5].map(|()| Gate { open: true }),
             cycles: 0,
@@ -139,7 +143,7 @@ impl Bench {
         }
     }
 
-    /// Renders frames back to back: the splats of the next follow at once.
+    /// Renders frames back to back: the splats of the next follow at once. Fragments are in scan order.
     pub fn render(&mut self, frames: &[Vec<SplatRecord>]) -> Vec<Vec<Fragment>> {
         let end = SplatRecord { end: true, ..SplatRecord::default() };
         let mut splats = frames.iter().flat_map(|frame| frame.iter().copied().chain([end])).peekable();
@@ -167,10 +171,11 @@ impl Bench {
             }
             if let Some(read) = out.read.filter(|_| inputs.read_ready) {
                 let run = usize::from(read.pixel)..usize::from(read.pixel + read.count);
-                self.memory.beats.extend(&self.memory.tiles[read.tile as usize][run]);
+                self.memory.beats.extend(&self.memory.tiles[buffer_tile(&self.config, read.surface, read.tile)][run]);
             }
-            if let Some(placed) = out.write.filter(|_| inputs.write_ready) {
-                self.memory.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;
+            if let Some(StoredPixel { surface, placed }) = out.write.filter(|_| inputs.write_ready) {
+                self.memory.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] =
+                    placed.value;
                 self.writes += 1;
                 patience = PATIENCE;
             }
@@ -187,6 +192,8 @@ impl Bench {
             assert!(patience > 0, "the core is stuck in cycle {}: {:?}", self.cycles, self.top.outputs());
         }
         images.pop();
+        // Tiles leave in an order that depends on stalls.
+        images.iter_mut().for_each(|image| image.sort_by_key(|fragment| (fragment.row, fragment.column)));
         images
     }
 }

@@ -3,7 +3,7 @@
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::COLLECTED_READS;
-use pointcore_contract::splat::records::{FinishedPixel, LOCAL_BITS, Pixel, PixelRun, PlacedPixel, RUN_BITS};
+use pointcore_contract::splat::records::{FinishedPixel, LOCAL_BITS, Pixel, PixelRun, RUN_BITS, StoredPixel};
 use pointcore_contract::splat::units::collector::PORTS;
 use pointcore_contract::unit::In;
 use pointcore_contract::{Record, record};
@@ -50,16 +50,13 @@ fn take<R: Record<Config = Config>>(
 }
 
 /// Leads requests to the memory, and data to the sides in their order.
-fn reads(m: &mut Module, config: &Config, writes: Expr, ended: [Expr; 2]) {
+fn reads(m: &mut Module, config: &Config, writes: Expr) {
     let read = PORTS.read.queue(m, config);
     let queue = fifo_distributed(COLLECTED_READS, &layout::<Awaited>(config));
     let (order, awaited) = Pushed::<Awaited>::place(m, config, "order", queue);
-    // A read must find in memory what was written before it. A side that has ended asks for nothing: its pixels would wait for those of the
-    // other side, whose data would wait behind its own.
+    // A read must find in memory what was written before it.
     let room = (read.room & order.room) & !writes;
-    let [low, high] = ended;
-    let sides = [PORTS.low_read, PORTS.high_read];
-    let request = take::<PixelRun>(m, config, "read", sides, |turn| room & !turn.mux(high, low));
+    let request = take::<PixelRun>(m, config, "read", [PORTS.low_read, PORTS.high_read], |_| room);
     read.push(m, config, request.moves, request.record);
     let run = Awaited { is_high: request.is_high, count: request.record.count };
     order.push(m, config, request.moves, run);
@@ -102,9 +99,9 @@ pub fn module(config: &Config) -> Module {
     let mut m = Module::new("splat_collector", "Leads two sides to one memory, and their pixels into one stream.");
     let write = PORTS.write.queue(&mut m, config);
     let ended = ["low_ended", "high_ended"].map(|name| m.reg_reset(name, 1, 0));
-    reads(&mut m, config, write.holds, ended.map(|ended| ended.expr()));
+    reads(&mut m, config, write.holds);
     let room = write.room;
-    let written = take::<PlacedPixel>(&mut m, config, "write", [PORTS.low_write, PORTS.high_write], |_| room);
+    let written = take::<StoredPixel>(&mut m, config, "write", [PORTS.low_write, PORTS.high_write], |_| room);
     write.push(&mut m, config, written.moves, written.record);
     let out = PORTS.pixel.queue(&mut m, config);
     pixels(&mut m, config, out, ended);

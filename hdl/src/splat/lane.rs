@@ -3,8 +3,11 @@
 
 use super::{accumulator, payloads, rasterizer, reorder, tile_cache, weighting};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
-use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse};
+use crate::units::ports::{
+    InputPorts, OutputPorts, Pulse, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse,
+};
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{ArrivedCopy, TileCopy};
 use pointcore_contract::splat::units::lane::PORTS;
 use pointcore_contract::splat::units::{self, LaneEvents};
 use rtl::{Instance, Module};
@@ -34,8 +37,19 @@ fn slots(m: &mut Module, config: &Config, [cache, slots]: [Instance; 2]) {
     tile_cache::PORTS.sample_reads.feed_word(m, cache, reads);
     pulse(m, config, (slots, accumulator::PORTS.drained), (cache, tile_cache::PORTS.drained));
     pulse(m, config, (slots, accumulator::PORTS.retire), (cache, tile_cache::PORTS.retire));
-    let frame_end = accumulator::PORTS.frame_end.word_of(m, slots);
-    tile_cache::PORTS.frame_end.feed_word(m, cache, frame_end);
+}
+
+/// Leads copies to where they are put in order, unless too many frames are under way, and tells the tile cache of them.
+fn order(m: &mut Module, config: &Config, payloads: Instance, reorder: Instance, cache: Instance) {
+    use units::tile_cache;
+    let copy = units::payloads::PORTS.copy.of(m, config, payloads);
+    let full = tile_cache::PORTS.full.word_of(m, cache);
+    let valid = m.wire("copy_comes", copy.valid & !full);
+    let ready = units::reorder::PORTS.input.offer(m, config, reorder, valid, copy.record);
+    m.drive(copy.ready, ready & !full);
+    let TileCopy { end, tile, splat, .. } = copy.record;
+    let arrives = Pulse { valid: valid & ready, record: ArrivedCopy { end, tile, splat } };
+    tile_cache::PORTS.arrives.feed(m, config, cache, arrives);
 }
 
 /// Builds a lane.
@@ -59,7 +73,7 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
     use units::{accumulator as sums, payloads as splats, rasterizer as samples, tile_cache as tiles};
     let copy = PORTS.input.declare(&mut m, config);
     splats::PORTS.input.feed(&mut m, config, payloads, copy);
-    pipe(&mut m, config, (payloads, splats::PORTS.copy), (reorder, units::reorder::PORTS.input));
+    order(&mut m, config, payloads, reorder, cache);
     pipe(&mut m, config, (reorder, units::reorder::PORTS.out), (cache, tiles::PORTS.input));
     pipe(&mut m, config, (cache, tiles::PORTS.out), (payloads, splats::PORTS.placed));
     pipe(&mut m, config, (payloads, splats::PORTS.out), (rasterizer, samples::PORTS.input));
@@ -78,6 +92,8 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
     if config.rasterizers > 1 {
         let number = PORTS.number.declare_word(&mut m, config.rasterizer_bits());
         tiles::PORTS.number.feed_word(&mut m, cache, number);
+        let sent = PORTS.frame_sent.declare_word(&mut m, 1);
+        tiles::PORTS.frame_sent.feed_word(&mut m, cache, sent);
     }
     if config.screen_filter.is_on() {
         let scale = PORTS.filter_scale.declare_word(&mut m, config.filter_scale_format().width());

@@ -40,7 +40,7 @@ pub(crate) struct Head<B> {
     /// That record.
     pub arriving: B,
     /// The queue shows one.
-    arrives: Expr,
+    pub arrives: Expr,
 }
 
 impl<B: Bundle> Head<B> {

@@ -3,7 +3,7 @@
 use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, PixelRun, PlacedPixel, pixel_bytes};
+use pointcore_contract::splat::records::{Pixel, PixelRun, StoredPixel, buffer_tile, pixel_bytes};
 
 /// Pixels of a tile.
 const PIXELS: usize = TILE_PIXELS as usize;
@@ -30,7 +30,8 @@ pub struct BufferTraffic {
 /// the latency, a write is accepted when it is free.
 #[derive(Clone)]
 pub struct ReconstructionBuffer {
-    /// By tile; one that was never written is empty.
+    config: Config,
+    /// By surface and tile; one that was never written is empty.
     tiles: Vec<Option<Box<[Pixel; PIXELS]>>>,
     pixel_bytes: u32,
     burst_bytes: u32,
@@ -38,7 +39,7 @@ pub struct ReconstructionBuffer {
     /// The bus of the writes, where they have one of their own.
     write_bus: Option<Bus>,
     /// The burst written last, by tile and number: a pixel that lies in it as well costs nothing more.
-    last_burst: Option<(u32, u32)>,
+    last_burst: Option<(usize, u32)>,
     pixels_read: u64,
     pixels_written: u64,
 }
@@ -54,7 +55,8 @@ impl ReconstructionBuffer {
         let settings = MemorySettings { reorder_window: 1, ..settings };
         let pixel_bytes = pixel_bytes(config);
         Self {
-            tiles: vec![None; 1 << config.tile_bits()],
+            config: config.clone(),
+            tiles: vec![None; config.buffer_tiles()],
             pixel_bytes,
             burst_bytes: settings.burst_bytes,
             // Nothing is left to chance in order.
@@ -80,8 +82,8 @@ impl ReconstructionBuffer {
     /// The pixel that is on offer in cycle `now`.
     #[must_use]
     pub fn offer(&self, now: u64) -> Option<Pixel> {
-        let (PixelRun { tile, pixel, .. }, beat) = self.memory.offer(READS, now)?;
-        let pixels = self.tiles[tile as usize].as_ref();
+        let (PixelRun { surface, tile, pixel, .. }, beat) = self.memory.offer(READS, now)?;
+        let pixels = self.tiles[buffer_tile(&self.config, surface, tile)].as_ref();
         Some(pixels.map_or_else(Pixel::default, |pixels| pixels[usize::from(pixel) + beat as usize]))
     }
 
@@ -98,15 +100,17 @@ impl ReconstructionBuffer {
     }
 
     /// Accepts a write in cycle `now`.
-    pub fn write(&mut self, write: &PlacedPixel, now: u64) {
+    pub fn write(&mut self, write: &StoredPixel, now: u64) {
         self.pixels_written += 1;
-        let tile = self.tiles[write.tile as usize].get_or_insert_with(|| Box::new([Pixel::default(); PIXELS]));
+        let place = buffer_tile(&self.config, write.surface, write.placed.tile);
+        let write = write.placed;
+        let tile = self.tiles[place].get_or_insert_with(|| Box::new([Pixel::default(); PIXELS]));
         tile[usize::from(write.pixel)] = write.value;
 
         let begin = u32::from(write.pixel) * self.pixel_bytes;
         let bursts = begin / self.burst_bytes..=(begin + self.pixel_bytes - 1) / self.burst_bytes;
-        let last = (write.tile, *bursts.end());
-        let begun = bursts.filter(|burst| self.last_burst != Some((write.tile, *burst))).count();
+        let last = (place, *bursts.end());
+        let begun = bursts.filter(|burst| self.last_burst != Some((place, *burst))).count();
         self.last_burst = Some(last);
         let bus = self.write_bus.as_mut().unwrap_or_else(|| self.memory.bus_mut());
         bus.transfer(begun as u64 * u64::from(self.burst_bytes), now);

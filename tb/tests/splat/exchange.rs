@@ -5,7 +5,9 @@ use std::collections::VecDeque;
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::records::{Pixel, PixelRun, PlacedCopy, SamplePlace, TileCopy, WeightedSample};
+use pointcore_contract::splat::records::{
+    ArrivedCopy, Pixel, PixelRun, PlacedCopy, SamplePlace, StoredPixel, TileCopy, WeightedSample, buffer_tile,
+};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use pointcore_contract::words;
 use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
@@ -47,7 +49,12 @@ pub struct Counts {
 pub struct Exchange {
     cache: TileCache,
     accumulator: Accumulator,
+    /// Copies that come, that have come and are put in order, and that are in order.
+    coming: VecDeque<TileCopy>,
+    waiting: Vec<TileCopy>,
     copies: VecDeque<TileCopy>,
+    /// A copy came in the cycle before.
+    came: bool,
     samples: VecDeque<WeightedSample>,
     tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
     beats: VecDeque<Pixel>,
@@ -56,6 +63,8 @@ pub struct Exchange {
     config: Config,
     random: Rng,
     under_way: u32,
+    /// The most copies that are put in order: of fewer than there are splats no two of a tile are of the same.
+    window: usize,
     frames: usize,
     /// So far.
     pub counts: Counts,
@@ -70,6 +79,7 @@ fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
         for number in 0..=count {
             let mut copy: TileCopy = noise(config, random);
             copy.end = number == count;
+            copy.splat = (number % (1 << config.splat_bits())) as u16;
             copy.tile = match frame {
                 0 => tile(3),
                 1 => tile(number / 4 + random.u32(0..3)),
@@ -85,27 +95,46 @@ impl Exchange {
     /// The loop before its first cycle; `seed` decides everything random in it.
     pub fn new(config: &Config, stall: Stall, seed: u64) -> Self {
         let mut random = Rng::with_seed(seed);
-        let copies = copies(config, &mut random);
+        let coming = copies(config, &mut random);
         Self {
             cache: TileCache::new(config),
             accumulator: Accumulator::new(config),
-            frames: copies.iter().filter(|copy| copy.end).count(),
-            copies,
+            frames: coming.iter().filter(|copy| copy.end).count(),
+            coming,
+            waiting: vec![],
+            copies: VecDeque::new(),
+            came: false,
             samples: VecDeque::new(),
-            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; 1 << config.tile_bits()],
+            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; config.buffer_tiles()],
             beats: VecDeque::new(),
             offers: [false; 3],
             stalls: [(); 7].map(|()| Stalls::new(stall, random.fork())),
             config: config.clone(),
             random,
             under_way: 0,
+            window: (1 << config.splat_bits()) - 1,
             counts: Counts::default(),
         }
     }
 
+    /// Copies come, every second cycle at most, and one goes on: the first of some tile, and the end behind all others.
+    fn order(&mut self, is_full: bool) -> Option<ArrivedCopy> {
+        let first = self.random.usize(0..=self.waiting.len());
+        if let Some(&TileCopy { tile, end, .. }) = self.waiting.get(first) {
+            let place = if end { 0 } else { self.waiting.iter().position(|copy| copy.tile == tile).unwrap_or(0) };
+            self.copies.push_back(self.waiting.remove(place));
+        }
+        let is_closed = self.waiting.last().is_some_and(|copy| copy.end);
+        let has_room = self.waiting.len() + self.copies.len() < self.window;
+        self.came = !self.came && !is_full && !is_closed && has_room && self.random.u8(0..4) > 0;
+        let copy = if self.came { self.coming.pop_front() } else { None };
+        self.waiting.extend(copy);
+        copy.map(|TileCopy { end, tile, splat, .. }| ArrivedCopy { end, tile, splat })
+    }
+
     /// Some samples of a copy on few pixels, of three surfaces; the last one closes it.
     fn sample(&mut self, placed: &PlacedCopy) {
-        let count = if placed.copy.end { 1 } else { self.random.usize(1..6) };
+        let count = self.random.usize(1..6);
         let first = self.random.u8(..);
         for number in 1..=count {
             let random = &mut self.random;
@@ -113,8 +142,8 @@ impl Exchange {
             let weight = sample.place.weight;
             let inside = random.u8(0..5) > 0;
             let pixel = first.wrapping_add(random.u8(0..3)) % TILE_PIXELS as u8;
-            let last = number == count && !placed.copy.end;
-            sample.place = SamplePlace { end: placed.copy.end, last, inside, slot: placed.slot, pixel, weight };
+            let last = number == count;
+            sample.place = SamplePlace { end: false, last, inside, slot: placed.slot, pixel, weight };
             let depth = SURFACES[random.usize(0..SURFACES.len())] + random.u32(0..EPSILON / 2);
             sample.weighted_depth = u64::from(weight) * u64::from(depth);
             (sample.depth_low, sample.depth_high) = (depth - EPSILON, depth + EPSILON);
@@ -155,6 +184,7 @@ impl Exchange {
     /// One cycle; returns what the two units saw in it.
     fn step(&mut self) -> (tile_cache::In, accumulator::In) {
         let (cache, accumulator) = (self.cache.outputs(), self.accumulator.outputs());
+        let arrives = self.order(cache.full);
         let [copies, samples, data, out, read, write, pixel] = self.stalls.each_mut().map(|stalls| !stalls.stalled());
         // An offer once made stands until it is taken.
         let offers = &mut self.offers;
@@ -163,14 +193,15 @@ impl Exchange {
         offers[2] |= data && !self.beats.is_empty();
         let cache_in = tile_cache::In {
             input: self.copies.front().copied().filter(|_| offers[0]),
+            arrives,
             out_ready: out && self.samples.len() < SAMPLES_WAITING,
             read_ready: read,
             data: self.beats.front().copied().filter(|_| offers[2]),
             write_ready: write,
             pixel_ready: pixel,
             number: 0,
+            frame_sent: self.random.u8(..) == 0,
             retire: accumulator.retire,
-            frame_end: accumulator.frame_end,
             masks: accumulator.masks,
             sample_writes: accumulator.sample_writes,
             sample_reads: accumulator.sample_reads,
@@ -209,17 +240,18 @@ impl Exchange {
     /// Takes what the cache sends in this cycle.
     fn move_pixels(&mut self, cache: &tile_cache::Out, taken: &tile_cache::In) {
         if let Some(placed) = cache.out.filter(|_| taken.out_ready) {
-            self.under_way += u32::from(!placed.copy.end);
+            self.under_way += 1;
             self.counts.in_flight = self.counts.in_flight.max(self.under_way);
             self.sample(&placed);
         }
-        if let Some(PixelRun { tile, pixel, count }) = cache.read.filter(|_| taken.read_ready) {
+        if let Some(PixelRun { surface, tile, pixel, count }) = cache.read.filter(|_| taken.read_ready) {
             let run = usize::from(pixel)..usize::from(pixel + count);
-            self.beats.extend(&self.tiles[tile as usize][run]);
+            self.beats.extend(&self.tiles[buffer_tile(&self.config, surface, tile)][run]);
             self.counts.reads += u32::from(count);
         }
-        if let Some(placed) = cache.write.filter(|_| taken.write_ready) {
-            self.tiles[placed.tile as usize][usize::from(placed.pixel)] = self.kept(placed.value);
+        if let Some(StoredPixel { surface, placed }) = cache.write.filter(|_| taken.write_ready) {
+            self.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] =
+                self.kept(placed.value);
             self.counts.writes += 1;
         }
         if let Some(finished) = cache.pixel.filter(|_| taken.pixel_ready) {

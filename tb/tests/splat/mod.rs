@@ -35,11 +35,9 @@ pub fn stalls(seed: u64) -> Stall {
     PATTERNS[(seed % RUNS) as usize].0
 }
 
-/// Puts fragments in an order that does not hang on stalls: those of several rasterizers come in any.
+/// Puts fragments in an order that does not hang on stalls: tiles come in any.
 pub fn in_order(config: &Config, fragments: &mut [Fragment]) {
-    if config.rasterizers > 1 {
-        fragments.sort_unstable_by_key(|fragment| words(config, *fragment));
-    }
+    fragments.sort_unstable_by_key(|fragment| words(config, *fragment));
 }
 
 /// Silence that ends a run: longer than any pipeline.

@@ -133,6 +133,19 @@ pub struct TileCopy {
     pub splat: u16,
 }
 
+/// What the tile cache is told of a copy before it is put in order.
+#[record(config: Config)]
+pub struct ArrivedCopy {
+    /// Closes the frame.
+    pub end: bool,
+    /// Tile index: row above column.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    #[bits(config.splat_bits())]
+    pub splat: u16,
+}
+
 /// A copy with the slot its tile lives in.
 #[record(config: Config)]
 pub struct PlacedCopy {

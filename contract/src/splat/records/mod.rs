@@ -12,11 +12,11 @@ mod slot;
 mod uniforms;
 
 pub use copy::{
-    CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, TileCopy,
+    ArrivedCopy, CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, TileCopy,
     TileDiagonals, TileRectangle,
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
-pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, pixel_bytes};
+pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, StoredPixel, buffer_tile, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};
 pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, uniform_formats};

@@ -31,7 +31,13 @@ pub fn pixel_bytes(config: &Config) -> u32 {
     width::<Pixel>(config).div_ceil(u8::BITS)
 }
 
-/// A pixel with its place in the reconstruction buffer.
+/// A tile's place among those of the reconstruction buffer: surfaces one behind the other.
+#[must_use]
+pub fn buffer_tile(config: &Config, surface: bool, tile: u32) -> usize {
+    usize::from(surface) << config.tile_bits() | tile as usize
+}
+
+/// A pixel with its place in a frame.
 #[record(config: Config)]
 pub struct PlacedPixel {
     /// Tile index.
@@ -44,9 +50,20 @@ pub struct PlacedPixel {
     pub value: Pixel,
 }
 
+/// A pixel that goes to the reconstruction buffer.
+#[record(config: Config)]
+pub struct StoredPixel {
+    /// The frame is one of those with odd numbers: two have a place in the buffer.
+    pub surface: bool,
+    /// Pixel and place.
+    pub placed: PlacedPixel,
+}
+
 /// Pixels of a tile that follow each other in a row.
 #[record(config: Config)]
 pub struct PixelRun {
+    /// The frame is one of those with odd numbers.
+    pub surface: bool,
     /// Tile index.
     #[bits(config.tile_bits())]
     pub tile: u32,

@@ -3,8 +3,8 @@
 use crate::splat::Config;
 use crate::splat::config::SLOT_BANKS;
 use crate::splat::records::{
-    CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, Pixel, PixelRun, PlacedCopy, PlacedPixel, SetupSplat,
-    Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, TileCopy,
+    ArrivedCopy, CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, Pixel, PixelRun, PlacedCopy, SetupSplat,
+    Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, StoredPixel, TileCopy,
 };
 use crate::unit;
 
@@ -72,6 +72,10 @@ pub struct TileCache {
     /// Copies in order of tiles.
     #[port("in")]
     input: In<TileCopy>,
+    /// Copies as they come before they are put in order.
+    arrives: PulseIn<ArrivedCopy>,
+    /// As many frames are under way as there are surfaces: no copy of another may come.
+    full: Output<bool>,
     /// Copies with their slots.
     out: Out<PlacedCopy>,
     /// Request for pixels of a tile.
@@ -79,7 +83,7 @@ pub struct TileCache {
     /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
-    write: Out<PlacedPixel>,
+    write: Out<StoredPixel>,
     /// Pixels of a finished frame.
     pixel: Out<FinishedPixel>,
     /// A bit for each slot that may be accumulated into.
@@ -89,10 +93,11 @@ pub struct TileCache {
     #[when(config.rasterizers > 1)]
     #[bits(config.rasterizer_bits())]
     number: Input<u8>,
+    /// The end of a frame has left all rasterizers, a cycle long.
+    #[when(config.rasterizers > 1)]
+    frame_sent: Input<bool>,
     /// The accumulator is done with a copy.
     retire: PulseIn<Slot>,
-    /// The accumulator is done with the frame.
-    frame_end: Input<bool>,
     /// A slot gets another tile, until that is carried out in every bank.
     change: PulseOut<SlotChange>,
     /// What the slot that changed last held before.

@@ -2,7 +2,7 @@
 
 use super::events::LaneEvents;
 use crate::splat::Config;
-use crate::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel, SplatCopy};
+use crate::splat::records::{FinishedPixel, Pixel, PixelRun, SplatCopy, StoredPixel};
 use crate::unit;
 
 /// Sends copies to one of two sides, by the rasterizer whose tile it is.
@@ -29,13 +29,16 @@ pub struct Lane {
     /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
-    write: Out<PlacedPixel>,
+    write: Out<StoredPixel>,
     /// Pixels of a finished frame.
     pixel: Out<FinishedPixel>,
     /// Its number.
     #[when(config.rasterizers > 1)]
     #[bits(config.rasterizer_bits())]
     number: Input<u8>,
+    /// The end of a frame has left all lanes, a cycle long.
+    #[when(config.rasterizers > 1)]
+    frame_sent: Input<bool>,
     /// The reciprocal of the squared radius of the screen filter.
     #[when(config.screen_filter.is_on())]
     #[bits(config.filter_scale_format().width())]
@@ -54,7 +57,7 @@ pub struct Collector {
     /// Pixels for them.
     low_data: Out<Pixel>,
     /// What they write.
-    low_write: In<PlacedPixel>,
+    low_write: In<StoredPixel>,
     /// What they have finished.
     low_pixel: In<FinishedPixel>,
     /// Requests of the higher numbers.
@@ -62,7 +65,7 @@ pub struct Collector {
     /// Pixels for them.
     high_data: Out<Pixel>,
     /// What they write.
-    high_write: In<PlacedPixel>,
+    high_write: In<StoredPixel>,
     /// What they have finished.
     high_pixel: In<FinishedPixel>,
     /// Requests of both.
@@ -70,7 +73,7 @@ pub struct Collector {
     /// The pixels requested, in order.
     data: In<Pixel>,
     /// What both write.
-    write: Out<PlacedPixel>,
+    write: Out<StoredPixel>,
     /// What both have finished.
     pixel: Out<FinishedPixel>,
 }

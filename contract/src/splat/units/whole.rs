@@ -2,7 +2,7 @@
 
 use super::events::Events;
 use crate::splat::Config;
-use crate::splat::records::{Fragment, Pixel, PixelRun, PlacedPixel, Splat, UniformWrite};
+use crate::splat::records::{Fragment, Pixel, PixelRun, Splat, StoredPixel, UniformWrite};
 use crate::unit;
 
 /// The renderer.
@@ -17,7 +17,7 @@ pub struct Top {
     /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
-    write: Out<PlacedPixel>,
+    write: Out<StoredPixel>,
     /// Fragments of the image.
     fragment: Out<Fragment>,
     /// What happened in the last cycle.

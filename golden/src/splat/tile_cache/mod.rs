@@ -1,10 +1,13 @@
 //! Tile cache: which tiles of the reconstruction buffer lie in the accumulator's slots, and the traffic that brings them there.
 //!
 //! A copy is passed on with its tile's slot. A miss starts a *job*: of the slot's former tile those pixels go that samples came to, and
-//! of the new one those come that memory holds, while copies of other slots go on. Behind the last copy of a frame every slot is
-//! written back; then memory has the frame, and the pixels that it holds are sent to normalization, tile by tile.
+//! of the new one those come that memory holds, while copies of other slots go on. Once the last copy of a frame has come, the frame
+//! *leaves*: of every tile to which no copy is to come, the pixels that memory holds are sent to normalization, while others are drawn,
+//! and the next frame on the other surface of memory.
 
 mod job;
+mod leaving;
+mod pending;
 mod seeker;
 #[cfg(test)]
 mod tests;
@@ -13,9 +16,11 @@ mod traffic;
 use super::parts::share::Share;
 use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
-use job::{Job, JobStep, Walk};
+use job::{Job, JobStep};
+use leaving::{Leaving, Look};
+use pending::{Pending, SurfacePlace};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, SLOT_BANKS};
+use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, SLOT_BANKS, SURFACES};
 use pointcore_contract::splat::records::{FinishedPixel, PlacedCopy, Slot, SlotChange, TileCopy};
 pub use pointcore_contract::splat::units::tile_cache::{In, Out};
 use traffic::{Aim, Traffic};
@@ -34,28 +39,23 @@ struct Entry {
     in_flight: u8,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Mode {
-    /// Nothing is known of `stored` after reset.
-    Clear(usize),
-    Run,
-    /// The last copy is on its way; slots are written back.
-    Wait,
-    Flush(Walk),
-}
-
 /// The tile cache.
 #[derive(Clone, Debug)]
 pub struct TileCache {
     share: Share,
+    is_alone: bool,
+    /// Words of memory of which something is known after reset.
+    cleared: usize,
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
-    /// By a tile's place among those of the rasterizer: a bit for each pixel that memory holds.
+    /// By surface and a tile's place among those of the rasterizer: a bit for each pixel that memory holds.
     stored: Vec<u64>,
-    mode: Mode,
+    pending: Pending,
+    /// The surface that is drawn.
+    surface: bool,
     job: Option<Job>,
-    frame_ended: bool,
+    leaving: Leaving,
     traffic: Traffic,
     input: HalfBuffer<TileCopy>,
     /// The copy that is placed next.
@@ -78,18 +78,36 @@ impl TileCache {
     pub fn new(config: &Config) -> Self {
         Self {
             share: Share::new(config),
+            is_alone: config.rasterizers == 1,
+            cleared: 0,
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
-            stored: vec![0; 1 << config.place_bits()],
-            mode: Mode::Clear(0),
+            stored: vec![0; (SURFACES as usize) << config.place_bits()],
+            pending: Pending::new(config),
+            surface: false,
             job: None,
-            frame_ended: false,
+            leaving: Leaving::new(),
             traffic: Traffic::new(),
             input: HalfBuffer::default(),
             head: None,
             out: Fifo::new(PLACED_QUEUE_DEPTH as usize),
             pixel: Skid::default(),
         }
+    }
+
+    /// Whether memories hold what they should after reset.
+    const fn is_clear(&self) -> bool {
+        self.cleared == self.stored.len()
+    }
+
+    /// Places that a surface has.
+    const fn places(&self) -> usize {
+        self.stored.len() / SURFACES as usize
+    }
+
+    /// Where a tile of the surface that is drawn has its words.
+    fn word(&self, tile: u32) -> usize {
+        SurfacePlace { surface: self.surface, place: self.share.place(tile) }.word(self.places())
     }
 
     fn slot_of(&self, tile: u32) -> Option<u8> {
@@ -100,22 +118,14 @@ impl TileCache {
         self.job.filter(|job| job.step == step)
     }
 
-    /// Where pixels go in this cycle.
+    /// Where pixels may go in this cycle.
     fn aim(&self) -> Aim {
-        match (self.mode, self.is_at(JobStep::Move)) {
-            (Mode::Flush(_), _) => Aim::Output { has_room: self.pixel.in_ready() },
-            (_, Some(Job { slot: Slot { slot }, .. })) => Aim::Slot(slot),
-            _ => Aim::Nowhere,
-        }
+        Aim { slot: self.is_at(JobStep::Move).map(|job| job.slot.slot), has_room: self.pixel.in_ready() }
     }
 
     fn change(&self) -> Option<SlotChange> {
         let Job { slot: Slot { slot }, comes, unchanged, .. } = self.is_at(JobStep::Change)?;
-        Some(SlotChange {
-            slot,
-            banks: unchanged as u8,
-            held: comes.map_or(0, |tile| self.stored[self.share.place(tile) as usize]),
-        })
+        Some(SlotChange { slot, banks: unchanged as u8, held: comes.map_or(0, |tile| self.stored[self.word(tile)]) })
     }
 
     fn slot_ready(&self) -> u64 {
@@ -145,15 +155,8 @@ impl TileCache {
         self.follow_turn();
     }
 
-    /// Mode *run*: returns the copy at the head if it is passed on; a miss starts a job instead, unless a turn was skipped.
-    fn run(&mut self, skips: bool) -> Option<PlacedCopy> {
-        let copy = self.head?;
-        if copy.end {
-            return self.out.in_ready().then(|| {
-                self.mode = Mode::Wait;
-                PlacedCopy { copy, slot: 0 }
-            });
-        }
+    /// Passes the copy at the head on, if it can be; a miss starts a job instead, unless a turn was skipped, if pixels may be asked for.
+    fn place(&mut self, copy: TileCopy, skips: bool, may_want: bool) -> Option<PlacedCopy> {
         if let Some(slot) = self.slot_of(copy.tile) {
             let entry = &mut self.slots[usize::from(slot)];
             let passes = self.out.in_ready() && entry.in_flight < IN_FLIGHT_MAX;
@@ -161,22 +164,24 @@ impl TileCache {
             entry.used |= passes;
             return passes.then_some(PlacedCopy { copy, slot });
         }
-        if !skips && self.job.is_none() && self.slots[usize::from(self.next)].in_flight == 0 {
+        let is_idle = self.job.is_none() && self.slots[usize::from(self.next)].in_flight == 0;
+        if !skips && is_idle && may_want {
             self.start(Some(copy.tile));
         }
         None
     }
 
-    /// Mode *wait*: the slot whose turn it is is written back, and when none holds a tile the frame is sent.
-    fn wait(&mut self, skips: bool) {
+    /// The end is at the head: the slot whose turn it is is written back; returns whether none holds a tile, and the frame that leaves
+    /// is this one: the next is drawn from now on.
+    fn switch(&mut self, skips: bool) -> bool {
         if self.job.is_some() {
-            return;
+            return false;
         }
-        let all_left = self.pixel.out().is_none();
-        if self.frame_ended && all_left && !self.slots.iter().any(|entry| entry.resident) {
-            self.frame_ended = false;
-            self.mode = Mode::Flush(Walk::FIRST);
-            return;
+        let leaves = self.leaving.surface == Some(self.surface);
+        if leaves && !self.slots.iter().any(|entry| entry.resident) {
+            self.leaving.given = true;
+            self.surface = !self.surface;
+            return true;
         }
         let Entry { resident, in_flight, .. } = self.slots[usize::from(self.next)];
         if !skips && resident && in_flight == 0 {
@@ -184,24 +189,26 @@ impl TileCache {
         } else if !skips {
             self.follow_turn();
         }
+        false
     }
 
-    /// A cycle of the job; `is_over` says that no pixel was under way.
-    fn clock_job(&mut self, mut job: Job, is_over: bool, inputs: &In) {
+    /// A cycle of the job; `is_over` says that no pixel was under way. Returns the place of a tile that was written back.
+    fn clock_job(&mut self, mut job: Job, is_over: bool, inputs: &In) -> Option<u32> {
         match job.step {
             JobStep::Read => job.step = JobStep::Change,
             JobStep::Change => {
                 job.unchanged &= inputs.sample_reads;
                 if job.unchanged == 0 {
                     if let Some(tile) = job.comes {
-                        self.traffic.want(tile, self.stored[self.share.place(tile) as usize]);
+                        self.traffic.want(self.surface, tile, self.stored[self.word(tile)], false);
                     }
                     job.step = JobStep::Changed;
                 }
             }
             JobStep::Changed => {
                 if let Some(tile) = job.goes {
-                    self.stored[self.share.place(tile) as usize] = inputs.masks.written;
+                    let word = self.word(tile);
+                    self.stored[word] = inputs.masks.written;
                     self.traffic.let_leave(inputs.masks.dirty);
                 }
                 job.step = JobStep::Move;
@@ -209,31 +216,85 @@ impl TileCache {
             JobStep::Move if is_over => {
                 self.slots[usize::from(job.slot.slot)].ready = job.comes.is_some();
                 self.job = None;
-                return;
+                return job.goes.map(|tile| self.share.place(tile));
             }
             JobStep::Move => {}
         }
         self.job = Some(job);
+        None
     }
 
-    /// A cycle of the walk through the frame, before whose end another tile could be asked for or all pixels had come: returns what
-    /// closes it.
-    fn walk(&mut self, walk: Walk, number: u8, [may_want, all_came]: [bool; 2]) -> Option<FinishedPixel> {
-        if walk.is_over() && all_came && self.pixel.in_ready() {
-            self.mode = Mode::Run;
-            return Some(FinishedPixel { end: true, ..FinishedPixel::default() });
-        }
-        let mask = walk.seen.map_or(0, |code| self.stored[code]);
-        if mask == 0 || may_want {
-            if let Some(code) = walk.seen {
-                self.stored[code] = 0;
-                if mask != 0 {
-                    self.traffic.want(self.share.tile(number.into(), code as u32), mask);
+    /// Whether a tile is in a slot, or on the way into one or out of it.
+    fn is_held(&self, place: u32) -> bool {
+        let resident = self.slots.iter().filter(|entry| entry.resident).map(|entry| entry.tile);
+        let goes = self.job.and_then(|job| job.goes);
+        let head = self.head.filter(|copy| !copy.end).map(|copy| copy.tile);
+        resident.chain(goes).chain(head).any(|tile| self.share.place(tile) == place)
+    }
+}
+
+/// What the frame that leaves sees of a cycle, as the registers were before it.
+struct Seen {
+    /// Memories of masks and of copies are read for others.
+    reads_taken: bool,
+    /// Masks are written for others.
+    writes_taken: bool,
+    /// A tile's pixels may be asked for.
+    may_want: bool,
+    /// All that were asked for have come.
+    all_left: bool,
+    /// The tile that is looked at is in a slot, or on its way.
+    is_held: bool,
+    /// The surface that is drawn.
+    drawn: bool,
+    /// All of the frame that leaves is.
+    is_given: bool,
+    /// The last copy for it has come.
+    is_whole: bool,
+}
+
+impl TileCache {
+    /// A cycle of the frame that leaves; returns what closes it.
+    fn leave(&mut self, seen: &Seen, inputs: &In) -> (bool, Option<FinishedPixel>) {
+        let places = self.places();
+        let waited = self.leaving.waits;
+        self.leaving.waits &= !inputs.frame_sent;
+        let Some(surface) = self.leaving.surface else {
+            if seen.is_whole && !waited {
+                self.leaving.begin(seen.drawn);
+            }
+            return (false, None);
+        };
+        let (mut pops, mut close) = (false, None);
+        match self.leaving.looked_at {
+            None if seen.is_given && self.leaving.is_over() && seen.all_left && self.pixel.in_ready() => {
+                self.leaving.close(!self.is_alone);
+                close = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
+            }
+            None => pops = self.leaving.look(places),
+            Some((place, Look::Read)) => {
+                if !seen.reads_taken {
+                    let at = SurfacePlace { surface, place };
+                    let mask = self.stored[at.word(places)];
+                    self.leaving.looked_at = Some((place, Look::Shown { mask, is_pending: self.pending.has(at) }));
                 }
             }
-            self.mode = Mode::Flush(walk.advance(self.stored.len()));
+            Some((place, Look::Shown { mask, is_pending })) => {
+                let stays = is_pending || (seen.is_held && surface == seen.drawn);
+                self.leaving.looked_at = Some((place, Look::Seen { mask, may_leave: mask != 0 && !stays }));
+            }
+            Some((place, Look::Seen { mask, may_leave })) => {
+                if may_leave && seen.may_want && !seen.writes_taken {
+                    let tile = self.share.tile(inputs.number.into(), place);
+                    self.traffic.want(surface, tile, mask, true);
+                    self.stored[SurfacePlace { surface, place }.word(places)] = 0;
+                    pops = self.leaving.look(places);
+                } else if !may_leave {
+                    pops = self.leaving.look(places);
+                }
+            }
         }
-        None
+        (pops, close)
     }
 }
 
@@ -245,6 +306,7 @@ impl Model for TileCache {
     fn outputs(&self) -> Out {
         Out {
             in_ready: self.input.in_ready(),
+            full: !self.is_clear() || self.pending.whole + u32::from(self.leaving.given) >= SURFACES,
             out: self.out.out().copied(),
             read: self.traffic.read.out().copied(),
             data_ready: self.traffic.data_ready(self.aim()),
@@ -259,36 +321,56 @@ impl Model for TileCache {
 
     fn clock(&mut self, inputs: &In) {
         let job = self.job;
-        let goes = job.and_then(|job| job.goes);
+        let goes = job.and_then(|job| job.goes).map(|tile| (self.surface, tile));
         // As the registers are.
-        let (may_want, all_came) = (self.traffic.may_want(), self.traffic.all_came());
-        let is_over = self.traffic.is_over();
+        let (is_over, may_want) = (self.traffic.is_over(), self.traffic.may_want());
+        let arriving = self.input.out().copied().filter(|_| self.head.is_none());
+        let mut seen = Seen {
+            reads_taken: arriving.is_some(),
+            writes_taken: job.is_some_and(|job| job.step == JobStep::Changed && job.goes.is_some()),
+            may_want: may_want && !job.is_some_and(|job| matches!(job.step, JobStep::Read | JobStep::Change)),
+            all_left: self.traffic.all_left(),
+            is_held: self.leaving.looked_at.is_some_and(|(place, _)| self.is_held(place)),
+            drawn: self.surface,
+            is_given: self.leaving.given,
+            is_whole: self.pending.whole > 0,
+        };
+        let was_leaving = self.leaving.surface == Some(self.surface);
+        let gone_has_room = self.leaving.gone.in_ready();
         let sent = self.traffic.clock(self.aim(), goes, inputs);
         let sent = sent.filter(|placed| placed.value.weight != 0).map(|placed| FinishedPixel { end: false, placed });
 
-        let (mut passed, mut close) = (None, None);
+        let (mut passed, mut switches) = (None, false);
         let skips = self.skip();
-        match self.mode {
-            Mode::Clear(code) => {
-                self.stored[code] = 0;
-                self.mode = if code + 1 < self.stored.len() { Mode::Clear(code + 1) } else { Mode::Run };
+        if !self.is_clear() {
+            self.stored[self.cleared] = 0;
+            self.pending.clear(self.cleared);
+            self.cleared += 1;
+        } else if let Some(copy) = self.head {
+            if copy.end {
+                switches = self.switch(skips);
+            } else {
+                passed = self.place(copy, skips, may_want);
             }
-            Mode::Run => passed = self.run(skips),
-            Mode::Wait => self.wait(skips),
-            Mode::Flush(walk) => close = self.walk(walk, inputs.number, [may_want, all_came]),
         }
+        let starts = job.is_none() && self.job.is_some();
+        seen.reads_taken |= starts;
+        seen.may_want &= !starts;
+        let (pops, close) = self.leave(&seen, inputs);
+        let mut gone = None;
         if let Some(job) = job {
-            self.clock_job(job, is_over, inputs);
+            gone = self.clock_job(job, is_over && (gone_has_room || goes.is_none()), inputs).filter(|_| was_leaving);
         }
+        self.leaving.gone.step(gone, pops);
         if let Some(Slot { slot }) = inputs.retire {
             self.slots[usize::from(slot)].in_flight -= 1;
         }
-        self.frame_ended |= inputs.frame_end;
 
+        self.pending.clock(inputs.arrives, arriving, seen.drawn, switches);
         let takes = self.head.is_none();
         if takes {
-            self.head = self.input.out().copied();
-        } else if passed.is_some() {
+            self.head = arriving;
+        } else if passed.is_some() || switches {
             self.head = None;
         }
         self.input.step(inputs.input, takes);

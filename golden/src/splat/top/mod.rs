@@ -23,6 +23,8 @@ pub struct Shown {
     pub splitter: splitter::Out,
     /// The lanes.
     pub lanes: lanes::Shown,
+    /// The end of a frame left all of them in the cycle before.
+    pub frame_sent: bool,
     /// The normalizer.
     pub normalizer: normalizer::Out,
 }
@@ -38,6 +40,7 @@ impl Shown {
             write_ready: inputs.write_ready,
             pixel_ready: self.normalizer.in_ready,
             number: 0,
+            frame_sent: self.frame_sent,
             filter_scale,
         }
     }
@@ -54,6 +57,7 @@ pub struct Top {
     setup: Setup,
     splitter: Splitter,
     lanes: Lanes,
+    frame_sent: bool,
     normalizer: Normalizer,
 }
 
@@ -69,6 +73,7 @@ impl Top {
             setup: Setup::new(config, latencies.setup),
             splitter: Splitter::new(config),
             lanes: Lanes::new(config, latencies),
+            frame_sent: false,
             normalizer: Normalizer::new(config, latencies.normalizer),
         }
     }
@@ -81,6 +86,7 @@ impl Top {
             setup: self.setup.outputs(),
             splitter: self.splitter.outputs(),
             lanes: self.lanes.shown(),
+            frame_sent: self.frame_sent,
             normalizer: self.normalizer.outputs(),
         }
     }
@@ -106,6 +112,7 @@ impl Top {
         });
         self.splitter.clock(&splitter::In { input: setup.out, out_ready: in_ready });
         self.lanes.step(&shown.lanes_see(inputs, uniforms.filter_scale & self.filter_scale_bits), lanes);
+        self.frame_sent = pixel.is_some_and(|pixel| pixel.end) && shown.normalizer.in_ready;
         self.normalizer.clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready });
         if let Some(write) = inputs.uniform {
             write_uniform(&mut self.uniforms, &self.config, write);

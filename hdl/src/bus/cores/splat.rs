@@ -7,7 +7,7 @@ use pointcore_contract::bus::units;
 use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::RUN_PIXELS_MAX;
-use pointcore_contract::splat::records::{Fragment, Pixel, Splat, UniformWrite};
+use pointcore_contract::splat::records::{Fragment, Pixel, PlacedPixel, Splat, StoredPixel, UniformWrite};
 use pointcore_contract::splat::units::top::PORTS;
 
 use super::buffer::{Buffer, Placed, Run};
@@ -74,7 +74,10 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let buffer =
         Buffer::<Pixel> { config, run_pixels: RUN_PIXELS_MAX, memory_bits: bus.memory_bits, base, reads, writes };
     let write = PORTS.write.of(&mut m, config, core);
-    let write = write.map(|placed| Placed { tile: placed.tile, pixel: placed.pixel, value: placed.value });
+    let write = write.map(|StoredPixel { surface, placed }| {
+        let PlacedPixel { tile, pixel, value } = placed;
+        Placed { tile: cat([surface, tile]), pixel, value }
+    });
     let (read, all_came) = read_pixels(&mut m, config, core, reads, abort);
     buffer.order(&mut m, read, write);
 
@@ -129,7 +132,7 @@ fn read_pixels(m: &mut Module, config: &Config, core: Instance, reads: Instance,
     let fits = m.wire("run_fits", held.lt_lit(u128::from(PIXELS_ASKED_MAX - RUN_PIXELS_MAX + 1)));
     m.drive(wanted.ready, ready & fits);
     let run = wanted.record;
-    let run = Run { tile: run.tile, pixel: run.pixel, count: run.count };
+    let run = Run { tile: cat([run.surface, run.tile]), pixel: run.pixel, count: run.count };
     (Flow { valid: wanted.valid & fits, record: run, ready }, awaited.is_zero())
 }
 

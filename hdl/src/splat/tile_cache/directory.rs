@@ -114,6 +114,11 @@ impl Directory {
         Self { slots, next, copy, has_room, any_resident, next_tile, next_resident, skips, next_idle }
     }
 
+    /// Whether a slot holds a tile of which this is so.
+    pub fn holds(&self, is: impl Fn(Expr) -> Expr) -> Expr {
+        cat(self.slots.iter().map(|slot| slot.resident & is(*slot.tile))).any()
+    }
+
     /// The slot to be allocated next.
     pub fn next_slot(&self) -> Expr {
         self.next.expr()

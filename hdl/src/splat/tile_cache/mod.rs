@@ -2,13 +2,15 @@
 //! buffer and sends the finished frame; golden twin: `pointcore_golden::splat::tile_cache`.
 
 mod directory;
+mod leaving;
 mod moves;
+mod pending;
 mod seeker;
 mod state;
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{
-    PLACED_QUEUE_DEPTH, RUNS_ASKED_MAX, SLOT_BANKS, TILE_PIXELS, WRITE_QUEUE_DEPTH,
+    PLACED_QUEUE_DEPTH, RUNS_ASKED_MAX, SLOT_BANKS, SURFACE_BITS, TILE_PIXELS, WRITE_QUEUE_DEPTH,
 };
 use pointcore_contract::splat::records::{PlacedCopy, SlotChange, TileCopy};
 use pointcore_contract::splat::units::tile_cache::PORTS;
@@ -18,18 +20,28 @@ use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, QueueOut, Str
 use crate::units::queue::Head;
 use crate::units::wires::Wires;
 use directory::{Changes, Directory, Lookup};
-use moves::exchange;
-use rtl::{Expr, Module, lit};
-use state::{Mode, State};
+use leaving::{Gone, Leaving, Surroundings};
+use moves::{Begins, exchange};
+use pending::{Lookups, Pending};
+use rtl::{Expr, Module, Wire, cat};
+use state::State;
 
 /// What happens to the copy at the head.
 struct Placement {
+    /// It is passed on.
     send: Expr,
-    send_end: Expr,
+    /// A job brings its tile.
     start: Expr,
+    /// It is the end: a slot that loses its tile without getting another starts to be written back.
+    vacate: Expr,
+    /// Its turn passes without that.
+    pass: Expr,
+    /// All slots were written back: the next frame is drawn.
+    switch: Expr,
 }
 
-/// Sends the head with its slot on a hit, starts a job on a miss.
+/// Sends the head with its slot on a hit, starts a job on a miss; the end of the frame waits until no slot holds a tile, and the frame
+/// leaves.
 fn place_copy(
     m: &mut Module,
     config: &Config,
@@ -37,110 +49,99 @@ fn place_copy(
     directory: &Directory,
     head: &Head<TileCopy<Wires>>,
     out: QueueOut<PlacedCopy>,
+    frame_leaves: Expr,
 ) -> Placement {
-    let ready = m.wire("head_waits", state.is(Mode::Run) & head.valid);
+    let ready = m.wire("head_waits", head.valid & !state.clearing);
     let end = head.record.end;
-    let send_end = m.wire("send_end", ready & (end & out.room));
     let copy = ready & !end;
     let send = m.wire("send", copy & (directory.copy.found & (out.room & directory.has_room)));
-    let start = m.wire("start", copy & (!directory.copy.found & (state.no_job() & directory.next_idle)));
-    let sent = send | send_end;
-    head.leaves_at_half_rate(m, sent);
-    out.push(m, config, sent, PlacedCopy { copy: head.record, slot: directory.copy.slot });
-    Placement { send, send_end, start }
+    let may_start = state.no_job() & directory.next_idle;
+    let start = m.wire("start", (copy & !directory.copy.found) & (may_start & state.wanted.is_empty));
+
+    let waits = m.wire("end_waits", (ready & end) & state.no_job());
+    let switch = m.wire("switches", (waits & frame_leaves) & !directory.any_resident);
+    let vacate = m.wire("vacate", waits & (directory.next_resident & directory.next_idle));
+    m.next(state.surface, state.surface ^ switch);
+    head.leaves_at_half_rate(m, send | switch);
+    out.push(m, config, send, PlacedCopy { copy: head.record, slot: directory.copy.slot });
+    Placement { send, start, vacate, pass: waits & !switch, switch }
 }
 
-/// Cycles in which something begins or ends.
-struct Steps {
-    /// A slot that loses its tile without getting another starts to be written back.
-    vacate: Expr,
-    /// Its turn passes without that.
-    pass: Expr,
-    /// The job's slot hears of its next tile.
+/// Cycles in which something of the job begins or ends.
+struct JobSteps {
+    /// Its slot hears of its next tile.
     change: Expr,
-    /// The job is done.
+    /// It is done.
     done: Expr,
-    /// The frame is closed.
-    close: Expr,
-    /// Codes of the frame's tiles move on.
-    advance: Expr,
-    /// One with pixels in memory does.
-    sends: Expr,
 }
 
-/// Steps through the modes, and through the places of tiles that are cleared or sent; there is `room` for a finished pixel, and
-/// samples may read banks.
-fn sequence(
+/// Keeps what the job is about, and steps through it; there is `room` for a tile that is written back.
+fn follow_job(
     m: &mut Module,
     state: &State,
     placement: &Placement,
     directory: &Directory,
-    [room, all_left, sample_reads]: [Expr; 3],
-) -> Steps {
-    let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
-    let flush = state.is(Mode::Flush);
-    let waits = m.wire("waits", state.is(Mode::Wait) & state.no_job());
-    let finish = m.wire("finish", waits & ((state.frame_ended & all_left) & !directory.any_resident));
-    let vacate = m.wire("vacate", waits & (directory.next_resident & directory.next_idle));
-
-    let has_pixels = m.wire("has_pixels", state.seen & state.mask.any());
-    let advance = m.wire("advance", flush & (!has_pixels | state.wanted.is_empty));
-    let sends = m.wire("sends", advance & has_pixels);
-    let under_way = (state.walking | state.read) | state.seen;
-    let close = m.wire("close", (flush & !under_way) & (state.all_came() & room));
-    let (clear, last) = (state.is(Mode::Clear), m.wire("last_place", state.place.all()));
-    m.next_if(state.place, clear | (advance & state.walking), state.place.add_lit(1));
-    m.next_if(state.walking, finish | advance, finish | (state.walking & !last));
-    m.next_if(state.read, advance, state.walking);
-    m.next_if(state.read_place, advance, *state.place);
-    m.next_if(state.seen, advance, state.read);
-    m.next_if(state.seen_place, advance, *state.read_place);
-
-    let changes = [
-        ((clear & last) | close, mode(Mode::Run)),
-        (placement.send_end, mode(Mode::Wait)),
-        (finish, mode(Mode::Flush)),
-    ];
-    let next = changes.iter().rev().fold(state.mode.expr(), |next, (when, mode)| when.mux(*mode, next));
-    m.next(state.mode, next);
-    let frame_end = PORTS.frame_end.declare_word(m, 1);
-    m.next_if(state.frame_ended, frame_end | finish, frame_end);
-
+    (tile, sample_reads, room): (Expr, Expr, Expr),
+) -> JobSteps {
     let has_left = state.leaving.is_empty & state.owed.is_zero();
     let unchanged = m.wire("still_unchanged", state.unchanged & sample_reads);
     let change = m.wire("change", state.unchanged.any() & unchanged.is_zero());
     m.next(state.unchanged, unchanged | state.looking.repeat(SLOT_BANKS));
-    let done = m.wire("done", state.moving & (has_left & (state.all_came() & !state.filling)));
-    Steps { vacate, pass: waits & !finish, change, done, close, advance, sends }
-}
+    let may_go = room | !state.goes;
+    let done = m.wire("done", state.moving & (has_left & (state.all_came() & (!state.filling & may_go))));
 
-/// Keeps what the job is about.
-fn follow_job(m: &mut Module, state: &State, placement: &Placement, steps: &Steps, directory: &Directory, tile: Expr) {
-    let start = m.wire("job_starts", placement.start | steps.vacate);
+    let start = m.wire("job_starts", placement.start | placement.vacate);
     m.next(state.looking, start);
-    m.next(state.changed, steps.change);
-    m.next_if(state.moving, state.changed | steps.done, state.changed);
+    m.next(state.changed, change);
+    m.next_if(state.moving, state.changed | done, state.changed);
     m.next_if(state.slot, start, directory.next_slot());
     m.next_if(state.comes, start, placement.start);
     m.next_if(state.tile, start, tile);
     m.next_if(state.goes, start, directory.next_resident);
     m.next_if(state.goes_tile, start, directory.next_tile);
+    JobSteps { change, done }
 }
 
-/// The memory of masks: by tile, which pixels the reconstruction buffer holds.
-fn stored_masks(m: &mut Module, config: &Config, state: &State, steps: &Steps, start: Expr, tile: Expr, written: Expr) {
-    let flush = state.is(Mode::Flush);
-    let masks = m.memory_unordered("stored_masks", 1 << config.place_bits(), TILE_PIXELS);
-    let address = flush.mux(state.place, share::place(config, tile));
-    let shown = m.read_if(masks, "stored_mask", start | steps.advance, address);
-    m.next_if(state.mask, state.looking | steps.advance, shown);
+/// The memory of masks: by surface and tile, which pixels the reconstruction buffer holds; `start` reads that of the `tile` that comes,
+/// and `written` becomes that of the one that goes.
+fn stored_masks(
+    m: &mut Module,
+    config: &Config,
+    state: &State,
+    leaving: &Leaving,
+    (start, tile): (Expr, Expr),
+    written: Expr,
+) -> StoredMasks {
+    let words = 1 << (SURFACE_BITS + config.place_bits());
+    let word = |tile: Expr| cat([state.surface.expr(), share::place(config, tile)]);
+    let looked_at = cat([leaving.surface(state), *leaving.place]);
+    let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS);
+    let shown = m.read(masks, "stored_mask", start.mux(word(tile), looked_at));
+    m.next_if(state.mask, state.looking, shown);
 
-    let clear = state.is(Mode::Clear);
     let goes = m.wire("mask_is_kept", state.changed & state.goes);
-    let place = clear.mux(state.place, state.seen_place);
-    let write = goes | (clear | (steps.advance & state.seen));
+    let sends = m.forward("mask_is_sent", 1);
     let kept = goes.repeat(TILE_PIXELS) & written;
-    m.write(masks, write, goes.mux(share::place(config, *state.goes_tile), place), kept);
+    let address = state.clearing.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
+    m.write(masks, (goes | state.clearing) | sends, address, kept);
+    StoredMasks { shown, goes, sends, looked_at }
+}
+
+/// What passes between the memory of masks and the frame that leaves.
+struct StoredMasks {
+    shown: Expr,
+    /// A mask is written for a slot.
+    goes: Expr,
+    /// That of the tile that is looked at becomes empty.
+    sends: Wire,
+    /// The word of that tile.
+    looked_at: Expr,
+}
+
+/// Clears the memories after reset, a word of each a cycle.
+fn clear(m: &mut Module, state: &State) {
+    m.next_if(state.cleared, state.clearing, state.cleared.add_lit(1));
+    m.next(state.clearing, state.clearing & !state.cleared.all());
 }
 
 /// Items that its queues hold.
@@ -176,26 +177,70 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let directory = Directory::new(&mut m, config);
     PORTS.slot_ready.drive_word(&mut m, directory.ready());
     let retire = PORTS.retire.declare(&mut m, config);
+    let leaving = Leaving::new(&mut m, config);
+    clear(&mut m, &state);
 
-    let placement = place_copy(&mut m, config, &state, &directory, &head, out);
+    let draws_what_leaves = m.wire("draws_what_leaves", leaving.leaves & !leaving.given);
+    let placement = place_copy(&mut m, config, &state, &directory, &head, out, draws_what_leaves);
+    let masks = PORTS.masks.declare(&mut m, config);
+    let stored = stored_masks(&mut m, config, &state, &leaving, (placement.start, tile), masks.written);
+    let lookups = Lookups {
+        surface: *state.surface,
+        clearing: *state.clearing,
+        cleared: *state.cleared,
+        place: stored.looked_at,
+    };
+    let pending = Pending::new(&mut m, config, &lookups, &head);
+    pending.count(&mut m, placement.switch);
+    let is_full = pending.whole.bit(1) | (pending.whole.bit(0) & leaving.given);
+    PORTS.full.drive_word(&mut m, state.clearing | is_full);
+
     let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
     let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };
     PORTS.change.drive(&mut m, config, state.unchanged.any(), change);
     let sample_reads = PORTS.sample_reads.declare_word(&mut m, SLOT_BANKS);
-    let steps = sequence(&mut m, &state, &placement, &directory, [pixel.room, !pixel.holds, sample_reads]);
-    follow_job(&mut m, &state, &placement, &steps, &directory, tile);
-    let masks = PORTS.masks.declare(&mut m, config);
-    stored_masks(&mut m, config, &state, &steps, placement.start, tile, masks.written);
-    let begins = m.wire("begins", steps.sends | (steps.change & state.comes));
+    let (gone, waiting) = Leaving::gone(&mut m, config);
+    let steps = follow_job(&mut m, &state, &placement, &directory, (tile, sample_reads, gone.room));
+    let is_gone = (steps.done & state.goes) & draws_what_leaves;
+    gone.push(&mut m, config, is_gone, Gone { place: share::place(config, *state.goes_tile) });
+    let is_place = |tile: Expr| share::place(config, tile).eq(*leaving.place);
+    let (goes, goes_tile) = state.tile_that_goes();
+    let head_holds = (head.valid & !head.record.end) & is_place(tile);
+    let around = Surroundings {
+        is_whole: pending.whole.any(),
+        switches: placement.switch,
+        reads_taken: (head.takes & head.arrives) | (placement.start | placement.vacate),
+        writes_taken: stored.goes,
+        mask: stored.shown,
+        is_pending: pending.is_shown,
+        is_held: (directory.holds(is_place) | head_holds) | (goes & is_place(goes_tile)),
+        may_want: (state.wanted.is_empty & !(state.looking | state.unchanged.any()))
+            & !(placement.start | placement.vacate),
+        all_left: state.all_left() & pixel.room,
+    };
+    let leaves = leaving.update(&mut m, config, &around, &waiting);
+    m.drive(stored.sends, leaves.sends);
+
+    let fills = m.wire("fills_are_wanted", steps.change & state.comes);
+    let begins = m.wire("begins", leaves.sends | fills);
     let number = (config.rasterizers > 1).then(|| PORTS.number.declare_word(&mut m, config.rasterizer_bits()));
-    let seen_tile = share::tile(config, number, *state.seen_place);
-    m.next_if(state.wanted_tile, begins, steps.sends.mux(seen_tile, state.tile));
-    exchange(&mut m, config, &state, (pixel, steps.close), sample_reads, begins, masks.dirty);
+    let leaving_tile = share::tile(config, number, *leaving.place);
+    m.next_if(state.wanted_leaves, begins, leaves.sends);
+    m.next_if(state.wanted_surface, begins, leaves.sends.mux(leaving.surface(&state), *state.surface));
+    m.next_if(state.wanted_tile, begins, leaves.sends.mux(leaving_tile, *state.tile));
+    let moves = Begins {
+        asks: begins,
+        mask: leaves.sends.mux(*leaving.mask, *state.mask),
+        drains: state.changed & state.goes,
+        dirty: masks.dirty,
+        closes: leaves.closes,
+    };
+    exchange(&mut m, config, &state, pixel, sample_reads, &moves);
 
     let changes = Changes {
         allocate: placement.start,
-        vacate: steps.vacate,
-        pass: steps.pass,
+        vacate: placement.vacate,
+        pass: placement.pass,
         enter: placement.send,
         retire: retire.valid,
         retire_slot: retire.record.slot,

@@ -1,29 +1,46 @@
 //! The tile cache's moves of pixels: out of a slot to the reconstruction buffer, and from there into a slot or to the output.
 
+use pointcore_contract::record;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{
-    Fill, FinishedPixel, LOCAL_BITS, PIXEL_BITS, PixelRun, PlacedPixel, RUN_BITS, SlotPixel,
+    Fill, FinishedPixel, LOCAL_BITS, PIXEL_BITS, PixelRun, PlacedPixel, RUN_BITS, SlotPixel, StoredPixel,
 };
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
-use super::state::{Mode, State, is_in};
+use super::state::{State, is_in};
 use crate::stream::fifo_distributed;
 use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Wires, layout};
-use rtl::{Expr, Module, lit};
+use rtl::{Expr, Module, Reg, lit};
+
+/// Pixels that were asked for.
+#[record(config: Config)]
+struct AskedRun {
+    /// They leave with their frame.
+    leaves: bool,
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    tile: u32,
+    /// The first pixel of the tile.
+    #[bits(PIXEL_BITS)]
+    pixel: u8,
+    /// How many there are.
+    #[bits(RUN_BITS)]
+    count: u8,
+}
 
 /// Asks memory for the pixels that are wanted, a run a cycle; returns the runs that were asked for, in order, and the bits of the row
 /// that are asked for in this cycle.
-fn ask(m: &mut Module, config: &Config, state: &State) -> (Flow<PixelRun<Wires>>, Expr, Expr) {
+fn ask(m: &mut Module, config: &Config, state: &State) -> (Flow<AskedRun<Wires>>, Expr, Expr) {
     let read = PORTS.read.queue(m, config);
-    let queue = fifo_distributed(state.depths.asked, &layout::<PixelRun>(config));
-    let (runs, asked) = Pushed::<PixelRun>::place(m, config, "asked_runs", queue);
+    let queue = fifo_distributed(state.depths.asked, &layout::<AskedRun>(config));
+    let (runs, asked) = Pushed::<AskedRun>::place(m, config, "asked_runs", queue);
     let found = state.wanted.found(m);
     let asks = m.wire("asks", found.any & (read.room & runs.room));
-    let run = PixelRun { tile: *state.wanted_tile, pixel: found.pixel, count: found.count };
-    read.push(m, config, asks, run);
-    runs.push(m, config, asks, run);
+    let (tile, pixel, count) = (*state.wanted_tile, found.pixel, found.count);
+    read.push(m, config, asks, PixelRun { surface: *state.wanted_surface, tile, pixel, count });
+    runs.push(m, config, asks, AskedRun { leaves: *state.wanted_leaves, tile, pixel, count });
     (asked, asks, asks.repeat(found.run.width()) & found.run)
 }
 
@@ -35,12 +52,12 @@ fn drain(m: &mut Module, config: &Config, state: &State, sample_reads: Expr) -> 
     PORTS.drain.drive(m, config, offers, SlotPixel { slot: *state.slot, pixel: found.pixel });
     let drains = m.wire("drains", offers & !is_in(sample_reads, found.pixel));
 
-    let queue = fifo_distributed(state.depths.written, &layout::<PlacedPixel>(config));
-    let (pixels, write) = Pushed::<PlacedPixel>::place(m, config, "write_queue", queue);
+    let queue = fifo_distributed(state.depths.written, &layout::<StoredPixel>(config));
+    let (pixels, write) = Pushed::<StoredPixel>::place(m, config, "write_queue", queue);
     let drained = PORTS.drained.declare(m, config);
     m.assert("drained_pixels_find_room", !drained.valid | pixels.room);
-    let place = PlacedPixel { tile: *state.goes_tile, pixel: drained.record.pixel, value: drained.record.value };
-    pixels.push(m, config, drained.valid, place);
+    let placed = PlacedPixel { tile: *state.goes_tile, pixel: drained.record.pixel, value: drained.record.value };
+    pixels.push(m, config, drained.valid, StoredPixel { surface: *state.surface, placed });
     let leaves = m.wire("pixel_leaves", write.transfer());
     PORTS.write.export(m, config, write);
     let width = state.owed.width();
@@ -53,11 +70,10 @@ fn take(
     m: &mut Module,
     config: &Config,
     state: &State,
-    asked: &Flow<PixelRun<Wires>>,
+    asked: &Flow<AskedRun<Wires>>,
     pixel: QueueOut<FinishedPixel>,
     close: Expr,
 ) -> Expr {
-    let flush = state.is(Mode::Flush);
     let data = PORTS.data.declare(m, config);
     let run = asked.record;
     let place = m.wire("coming_pixel", run.pixel + state.came.zext(PIXEL_BITS));
@@ -66,7 +82,7 @@ fn take(
     let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
     let fills = m.wire("fills", state.filling & !is_in(*state.taken_banks, *fill_pixel));
     let may_fill = m.wire("may_fill", (state.moving & vacated) & (!state.filling | fills));
-    let takes = m.wire("takes_data", asked.valid & flush.mux(pixel.room, may_fill));
+    let takes = m.wire("takes_data", asked.valid & run.leaves.mux(pixel.room, may_fill));
     m.drive(data.ready, takes);
     let beat = m.wire("beat", takes & data.valid);
     let next = m.wire("came_now", state.came.zext(RUN_BITS).add_lit(1));
@@ -74,7 +90,7 @@ fn take(
     m.drive(asked.ready, ends);
     m.next_if(state.came, beat, ends.mux(lit(LOCAL_BITS, 0), next.trunc(LOCAL_BITS)));
 
-    let fill = beat & !flush;
+    let fill = beat & !run.leaves;
     m.next(state.filling, fill | (state.filling & !fills));
     m.next_if(fill_pixel, fill, place);
     let value = data.record.register(m, config, "fill_", fill);
@@ -82,29 +98,45 @@ fn take(
     PORTS.fill.drive(m, config, *state.filling, Fill { place: filled, value });
 
     let sent = PlacedPixel { tile: run.tile, pixel: place, value: data.record };
-    let visible = m.wire("visible", (flush & beat) & data.record.weight.any());
+    let visible = m.wire("visible", (run.leaves & beat) & data.record.weight.any());
     pixel.push(m, config, close | visible, FinishedPixel { end: close, placed: sent });
     ends
 }
 
-/// Moves pixels between slot, reconstruction buffer and output: those of `mask` are asked for once `begins` is set, those of `dirty`
-/// leave the slot when it has shown them.
+/// Cycles in which pixels begin to move.
+pub(super) struct Begins {
+    /// Those of `mask` are asked for.
+    pub asks: Expr,
+    pub mask: Expr,
+    /// Those of `dirty` leave the slot.
+    pub drains: Expr,
+    pub dirty: Expr,
+    /// The frame is closed.
+    pub closes: Expr,
+}
+
+/// Moves pixels between slot, reconstruction buffer and output.
 pub(super) fn exchange(
     m: &mut Module,
     config: &Config,
     state: &State,
-    (pixel, close): (QueueOut<FinishedPixel>, Expr),
+    pixel: QueueOut<FinishedPixel>,
     sample_reads: Expr,
-    begins: Expr,
-    dirty: Expr,
+    begins: &Begins,
 ) {
     let banks = PORTS.sample_writes.declare_word(m, state.taken_banks.width());
     m.next(state.taken_banks, banks);
     let (asked, asks, asked_bits) = ask(m, config, state);
-    state.wanted.update(m, begins, *state.mask, asked_bits);
+    state.wanted.update(m, begins.asks, begins.mask, asked_bits);
     let drained_bits = drain(m, config, state, sample_reads);
-    state.leaving.update(m, state.changed & state.goes, dirty, drained_bits);
-    let ends = take(m, config, state, &asked, pixel, close);
-    let width = state.awaited.width();
-    m.next(state.awaited, state.awaited + asks.zext(width) - ends.zext(width));
+    state.leaving.update(m, begins.drains, begins.dirty, drained_bits);
+    let ends = take(m, config, state, &asked, pixel, begins.closes);
+    let count = |m: &mut Module, awaited: Reg, leaves: [Expr; 2]| {
+        let width = awaited.width();
+        let [asks, ends] = [asks & leaves[0], ends & leaves[1]];
+        m.next(awaited, awaited + asks.zext(width) - ends.zext(width));
+    };
+    let leaves = [*state.wanted_leaves, asked.record.leaves];
+    count(m, state.awaited_leaving, leaves);
+    count(m, state.awaited_fills, leaves.map(|leaves| !leaves));
 }

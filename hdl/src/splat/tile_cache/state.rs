@@ -1,39 +1,21 @@
-//! The tile cache's modes and registers.
+//! The tile cache's registers.
 
 use super::Depths;
 use super::seeker::Seeker;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{SLOT_BANKS, TILE_PIXELS};
+use pointcore_contract::splat::config::{SLOT_BANKS, SURFACE_BITS, TILE_PIXELS};
 use pointcore_contract::splat::records::LOCAL_BITS;
 use rtl::{Expr, Module, Reg, address_width};
-
-/// What the unit is about.
-#[derive(Clone, Copy)]
-pub(super) enum Mode {
-    /// Clears the memory of masks after reset.
-    Clear,
-    /// Places copies.
-    Run,
-    /// Waits until the frame's last samples are accumulated, and writes slots back.
-    Wait,
-    /// Sends the frame.
-    Flush,
-}
 
 /// Registers of the unit.
 pub(super) struct State {
     pub depths: Depths,
-    pub mode: Reg,
-    pub frame_ended: Reg,
-    /// The place of the tile that is cleared, or whose mask is read to send the frame while `walking`: among those of the rasterizer.
-    pub place: Reg,
-    pub walking: Reg,
-    /// The place whose mask the memory shows.
-    pub read: Reg,
-    pub read_place: Reg,
-    /// The place whose mask is in `mask`.
-    pub seen: Reg,
-    pub seen_place: Reg,
+    /// Memories are cleared after reset, word by word.
+    pub clearing: Reg,
+    pub cleared: Reg,
+    /// The surface that is drawn.
+    pub surface: Reg,
+    /// What memory holds of the tile that comes.
     pub mask: Reg,
     /// The job of a slot that loses its tile, step by step: its next tile's mask is read, the slot is told, it shows what it held, and
     /// pixels move.
@@ -49,11 +31,15 @@ pub(super) struct State {
     /// A tile goes, and which.
     pub goes: Reg,
     pub goes_tile: Reg,
-    /// Pixels to be asked for, and of which tile.
+    /// Pixels to be asked for, of which surface and tile, and whether they leave with their frame.
     pub wanted: Seeker,
+    pub wanted_surface: Reg,
     pub wanted_tile: Reg,
-    /// Runs that were asked for and have not come, and how many pixels of the oldest have.
-    pub awaited: Reg,
+    pub wanted_leaves: Reg,
+    /// Runs that were asked for and have not come: for slots, and to leave.
+    pub awaited_fills: Reg,
+    pub awaited_leaving: Reg,
+    /// How many pixels of the oldest have come.
     pub came: Reg,
     /// A pixel that came waits for its bank.
     pub filling: Reg,
@@ -66,17 +52,12 @@ pub(super) struct State {
 
 impl State {
     pub fn new(m: &mut Module, config: &Config, depths: Depths) -> Self {
-        let (tile_bits, place_bits) = (config.tile_bits(), config.place_bits());
+        let tile_bits = config.tile_bits();
         Self {
             depths,
-            mode: m.reg_reset("mode", address_width(Mode::Flush as u32 + 1), Mode::Clear as u128),
-            frame_ended: m.reg_reset("frame_ended", 1, 0),
-            place: m.reg_reset("place", place_bits, 0),
-            walking: m.reg_reset("walking", 1, 0),
-            read: m.reg_reset("place_read", 1, 0),
-            read_place: m.reg("read_place", place_bits),
-            seen: m.reg_reset("place_seen", 1, 0),
-            seen_place: m.reg("seen_place", place_bits),
+            clearing: m.reg_reset("clearing", 1, 1),
+            cleared: m.reg_reset("cleared", SURFACE_BITS + config.place_bits(), 0),
+            surface: m.reg_reset("surface", SURFACE_BITS, 0),
             mask: m.reg("mask", TILE_PIXELS),
             looking: m.reg_reset("looking", 1, 0),
             unchanged: m.reg_reset("unchanged", SLOT_BANKS, 0),
@@ -88,8 +69,11 @@ impl State {
             goes: m.reg("goes", 1),
             goes_tile: m.reg("goes_tile", tile_bits),
             wanted: Seeker::new(m, "wanted"),
+            wanted_surface: m.reg("wanted_surface", SURFACE_BITS),
             wanted_tile: m.reg("wanted_tile", tile_bits),
-            awaited: m.reg_reset("awaited", address_width(depths.asked + 1), 0),
+            wanted_leaves: m.reg_reset("wanted_leaves", 1, 0),
+            awaited_fills: m.reg_reset("awaited_fills", address_width(depths.asked + 1), 0),
+            awaited_leaving: m.reg_reset("awaited_leaving", address_width(depths.asked + 1), 0),
             came: m.reg_reset("came", LOCAL_BITS, 0),
             filling: m.reg_reset("filling", 1, 0),
             taken_banks: m.reg_reset("taken_banks", SLOT_BANKS, 0),
@@ -98,18 +82,24 @@ impl State {
         }
     }
 
-    pub fn is(&self, mode: Mode) -> Expr {
-        self.mode.eq_lit(mode as u128)
-    }
-
     /// No slot changes its tile.
     pub fn no_job(&self) -> Expr {
         !((self.looking | self.unchanged.any()) | (self.changed | self.moving))
     }
 
-    /// All runs that were wanted were asked for and have come.
+    /// The slot of the job waits for nothing that comes.
     pub fn all_came(&self) -> Expr {
-        self.wanted.is_empty & self.awaited.is_zero()
+        (self.wanted_leaves | self.wanted.is_empty) & self.awaited_fills.is_zero()
+    }
+
+    /// Nothing that leaves is on its way from memory.
+    pub fn all_left(&self) -> Expr {
+        !(self.wanted_leaves & !self.wanted.is_empty) & self.awaited_leaving.is_zero()
+    }
+
+    /// The tile that the job takes out of its slot.
+    pub fn tile_that_goes(&self) -> (Expr, Expr) {
+        (self.goes & !self.no_job(), *self.goes_tile)
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, StoredPixel};
 use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents, collector, distributor, lane};
 use pointcore_contract::unit::{In, Out};
 
@@ -37,7 +37,7 @@ pub(super) struct Node {
 struct Side {
     read: In<PixelRun>,
     data: Out<Pixel>,
-    write: In<PlacedPixel>,
+    write: In<StoredPixel>,
     pixel: In<FinishedPixel>,
 }
 
@@ -103,6 +103,13 @@ impl Lanes {
             }
         }
         Ok(Self { lanes, root, manifests })
+    }
+
+    /// Tells all of them that the end of a frame has left.
+    pub fn frame_sent(&self, m: &mut Module, sent: Expr) {
+        for &lane in &self.lanes {
+            lane::PORTS.frame_sent.feed_word(m, lane, sent);
+        }
     }
 
     /// Feeds all of them the scale of the screen filter.

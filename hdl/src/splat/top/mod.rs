@@ -100,7 +100,13 @@ fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
     lane::PORTS.data.feed(m, config, lanes, data);
     let write = lane::PORTS.write.of(m, config, lanes);
     PORTS.write.export(m, config, write);
-    pipe(m, config, (lanes, lane::PORTS.pixel), (normalizer, units::normalizer::PORTS.input));
+    let pixel = lane::PORTS.pixel.of(m, config, lanes);
+    if config.rasterizers > 1 {
+        let sent = m.reg_reset("frame_sent", 1, 0);
+        m.next(sent, pixel.transfer() & pixel.record.end);
+        instances.lanes.frame_sent(m, sent.expr());
+    }
+    units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
     let fragment = units::normalizer::PORTS.out.of(m, config, normalizer);
     PORTS.fragment.export(m, config, fragment);
 }

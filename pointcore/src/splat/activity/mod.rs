@@ -11,7 +11,7 @@ pub use timeline::{State, Timeline, Unit};
 
 use maps::Layout;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::PlacedPixel;
+use pointcore_contract::splat::records::StoredPixel;
 use pointcore_golden::splat::Top;
 use pointcore_golden::splat::top::{In, Out, Shown};
 use pointcore_golden::unit::Model;
@@ -81,9 +81,9 @@ impl Activity {
         }
     }
 
-    fn see_write(&mut self, inputs: &In, write: Option<&PlacedPixel>) {
+    fn see_write(&mut self, inputs: &In, write: Option<&StoredPixel>) {
         if let Some(write) = write.filter(|_| inputs.write_ready) {
-            self.written_back[write.tile as usize] += 1;
+            self.written_back[write.placed.tile as usize] += 1;
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::timeline::{Counts, State, Unit};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::PlacedPixel;
+use pointcore_contract::splat::records::StoredPixel;
 use pointcore_contract::splat::units::Events;
 use pointcore_golden::splat::lane;
 use pointcore_golden::splat::top::{In, Shown};
@@ -115,7 +115,7 @@ impl States {
 
     /// What each unit does in this cycle.
     pub(super) fn see(&mut self, inputs: &In, shown: &Shown) -> Counts {
-        let Shown { transform, setup, splitter, lanes, normalizer } = shown;
+        let Shown { transform, setup, splitter, lanes, normalizer, .. } = shown;
         let lane::Out { in_ready, read, data_ready, ref write, ref pixel, .. } = lanes.ports();
         let splats = Stream::new(inputs.splat.as_ref(), transform.in_ready);
         let placed = Stream::new(transform.out.as_ref(), setup.in_ready);
@@ -182,7 +182,7 @@ impl Lane {
 
     fn tile_cache(&mut self, [ordered, placed, finished]: [Stream; 3], shown: &lane::Shown) -> State {
         let is_end = shown.tile_cache.pixel.as_ref().is_some_and(|pixel| pixel.end);
-        self.is_flushing = (self.is_flushing || shown.accumulator.frame_end) && !(is_end && finished.moves());
+        self.is_flushing = (self.is_flushing || false) && !(is_end && finished.moves());
         let moves = self.tile_cache.moves(ordered, placed) || finished.moves();
         if moves {
             State::Busy
@@ -209,7 +209,7 @@ pub(super) struct MemoryPort<'a> {
     /// A pixel is wanted.
     pub data_ready: bool,
     /// A pixel is written.
-    pub write: Option<&'a PlacedPixel>,
+    pub write: Option<&'a StoredPixel>,
 }
 
 impl MemoryPort<'_> {

@@ -1,18 +1,28 @@
 //! Pixels come back as they were written, when latency, bandwidth and bursts say.
 
 use super::*;
+use pointcore_contract::splat::records::PlacedPixel;
 
 fn config() -> Config {
     Config { width: 16, height: 8, continuous: 6, ..Config::default() }
 }
 
+/// Pixels of the second tile.
+const fn run(pixel: u8, count: u8) -> PixelRun {
+    PixelRun { surface: false, tile: 1, pixel, count }
+}
+
 /// All pixels of a tile.
 const fn whole(tile: u32) -> PixelRun {
-    PixelRun { tile, pixel: 0, count: TILE_PIXELS as u8 }
+    PixelRun { surface: false, tile, pixel: 0, count: TILE_PIXELS as u8 }
 }
 
 fn value(pixel: u8) -> Pixel {
     Pixel { weight: 100 + u32::from(pixel), ..Pixel::default() }
+}
+
+fn stored(tile: u32, pixel: u8) -> StoredPixel {
+    StoredPixel { surface: false, placed: PlacedPixel { tile, pixel, value: value(pixel) } }
 }
 
 /// A buffer whose second tile is written, and the cycle in which the last pixel was accepted.
@@ -22,7 +32,7 @@ fn written(settings: MemorySettings) -> (ReconstructionBuffer, u64) {
     while pixel < PIXELS as u8 {
         buffer.advance(now);
         if buffer.is_writable(now) {
-            buffer.write(&PlacedPixel { tile: 1, pixel, value: value(pixel) }, now);
+            buffer.write(&stored(1, pixel), now);
             pixel += 1;
         }
         now += 1;
@@ -59,7 +69,7 @@ fn reads_return_what_was_written_after_the_latency_a_pixel_a_cycle() {
 #[test]
 fn a_run_of_any_length_is_read() {
     let (mut buffer, _) = written(MemorySettings { latency_cycles: 5, ..ReconstructionBuffer::SETTINGS });
-    let runs = [PixelRun { tile: 1, pixel: 7, count: 3 }, PixelRun { tile: 1, pixel: 63, count: 1 }];
+    let runs = [run(7, 3), run(63, 1)];
     assert_eq!(read(&mut buffer, &runs, 100), [(5, 107), (6, 108), (7, 109), (8, 163)]);
 }
 
@@ -88,6 +98,6 @@ fn bursts_are_moved_whole_and_once() {
     let tile = (64 * u64::from(pixel_bytes(&config()))).next_multiple_of(64);
     let (mut buffer, _) = written(settings);
     assert_eq!(buffer.traffic().bytes, tile, "pixels of a burst share it");
-    read(&mut buffer, &[PixelRun { tile: 1, pixel: 2, count: 1 }], 100);
+    read(&mut buffer, &[run(2, 1)], 100);
     assert_eq!(buffer.traffic().bytes, tile + 64, "a single pixel takes a burst");
 }
