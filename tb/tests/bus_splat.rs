@@ -12,7 +12,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
-use crate::splat::{configs, fixed_configs, scene};
+use crate::splat::{configs, fixed_configs, scene, in_order};
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 250;
@@ -24,14 +24,24 @@ fn frames(config: &Config) -> EncodedFrame {
     EncodedFrame { records: scene::world(config, RECORDS), uniforms: scene::registers(config) }
 }
 
-/// The fragments of all frames, as the model makes them.
-fn expected(config: &Config, frame: &EncodedFrame) -> Vec<Fragment> {
+/// The fragments of each frame, as the model makes them.
+fn expected(config: &Config, frames: &EncodedFrame) -> Vec<Vec<Fragment>> {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
-    SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}")).fragments
+    let fragments = |splats: &[Splat]| {
+        let frame = EncodedFrame { records: splats.to_vec(), ..frames.clone() };
+        let outcome = SplatRunner::new(config, &frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
+        sorted(config, outcome.fragments)
+    };
+    frames.records.split_inclusive(|splat| splat.end).map(fragments).collect()
+}
+
+fn sorted(config: &Config, mut fragments: Vec<Fragment>) -> Vec<Fragment> {
+    in_order(config, &mut fragments);
+    fragments
 }
 
 /// The frames over the bus; a packet now and then is too short, and is sent again.
-fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, seed: u64) -> Vec<Fragment> {
+fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, seed: u64) -> Vec<Vec<Fragment>> {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
         map: SplatRegisters::registers(config),
@@ -50,7 +60,7 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, 
         host.write(&name, value as u32);
     }
     let mut random = fastrand::Rng::with_seed(seed);
-    let (mut fragments, mut refused) = (Vec::<Fragment>::new(), 0);
+    let (mut frames, mut refused) = (vec![], 0);
     for (number, splats) in frame.records.split_inclusive(|splat| splat.end).enumerate() {
         if number != 1 {
             aborted_run(&mut host, config, &splats[..splats.len() - 1], &mut random);
@@ -65,15 +75,16 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, 
         }
         assert!(!host.start(0), "a run is under way");
         host.finish();
-        fragments.extend(&host.received);
+        let mut fragments = host.received.clone();
         assert!(fragments.pop().is_some_and(|fragment| fragment.end), "a frame has an end");
         assert_eq!(host.read("packets_in"), splats.len() as u32);
         assert_eq!(host.read("packets_out"), host.received.len() as u32);
         assert!(host.read("event_sample") > 0 && host.read("cycles") > 0);
         host.expect_errors([0, number as u32 + 1, 0, refused, 0]);
         host.received.clear();
+        frames.push(sorted(config, fragments));
     }
-    fragments
+    frames
 }
 
 /// A run that ends before its time, somewhere on its way through splats.
@@ -91,11 +102,13 @@ fn frames_on_the_bus_are_those_of_the_model() {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frame = frames(&config);
         let expected = expected(&config, &frame);
-        assert!(expected.len() > 250, "{} fragments", expected.len());
+        let count = expected.iter().map(Vec::len).sum::<usize>();
+        assert!(count > 250, "{count} fragments");
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
             for seed in seeds(1).unwrap() {
                 let found = on_the_bus(&config, &frame, memory_order, seed);
-                let counts = format!("{} fragments instead of {}", found.len(), expected.len());
+                let found_count = found.iter().map(Vec::len).sum::<usize>();
+                let counts = format!("{found_count} fragments instead of {count}");
                 assert!(found == expected, "{memory_order:?}, seed {seed}: {counts}");
             }
         }

@@ -24,7 +24,7 @@ pub fn renderer(config: &splat::Config, latencies: &splat_model::Latencies) -> u
     let copy = pixels + u64::from(config.accumulate_stages + config.heap_interval + config.payload_beats) + STEP_CYCLES;
     let pipelines = u64::from(latencies.rasterizer + latencies.weighting + latencies.normalizer) + splats * 16;
     // After reset the lists clear what they know of every tile, and payloads what they know of every place.
-    let flush = (pixels + 2 * STEP_CYCLES) << config.tile_bits();
+    let flush = (pixels + 2 * STEP_CYCLES) * config.buffer_tiles() as u64;
     SLACK * (pipelines + copies * copy + flush + u64::from(config.splats_held()))
 }
 

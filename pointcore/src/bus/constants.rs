@@ -89,7 +89,7 @@ pub(super) fn points(config: &points::Config) -> Vec<Constant> {
 /// Of the renderer.
 pub(super) fn splat(config: &splat::Config) -> Vec<Constant> {
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
-    let buffer = u64::from(TILE_PIXELS * stride) << config.tile_bits();
+    let buffer = u64::from(TILE_PIXELS * stride) * config.buffer_tiles() as u64;
     let mut constants = vec![
         count("WIDTH", config.width.into(), "columns of samples"),
         count("HEIGHT", config.height.into(), "rows of samples"),

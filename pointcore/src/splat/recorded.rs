@@ -87,7 +87,7 @@ impl<'a> Recorder<'a> {
     /// A run from its reset on, for so many cycles at most.
     fn run(&mut self, script: Script, cycles: u64) {
         self.inputs.fill(0);
-        for cycle in 0..RESET_CYCLES + (1 << self.config.tile_bits()) + SETTLING_CYCLES {
+        for cycle in 0..RESET_CYCLES + self.config.buffer_tiles() as u64 + SETTLING_CYCLES {
             // The reset comes first.
             self.inputs[0] = u64::from(cycle < RESET_CYCLES);
             self.step();

@@ -9,13 +9,13 @@ use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, Pixel, Splat, Uniforms};
 use pointcore_contract::{fields, words};
 
-/// A frame, with the reconstruction buffer at `base`. Fragments come in the order of the vectors, however the bus stalls.
+/// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end last.
 ///
 /// # Errors
 /// The buffer has no place, or the golden model does not come to its end.
 pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, VectorsError> {
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
-    let bytes = (u64::from(TILE_PIXELS) * u64::from(stride)) << config.tile_bits();
+    let bytes = u64::from(TILE_PIXELS * stride) * config.buffer_tiles() as u64;
     let buffer_base = AddressSpace::new(base)?.take("a reconstruction buffer", bytes)?;
     let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
 

@@ -59,8 +59,8 @@ pub struct Bench<'a> {
     pub words: usize,
     /// Bytes of a packet that comes from the core.
     pub packet_bytes: u32,
-    /// Low bits of its first word that number what it answers.
-    pub number_bits: u32,
+    /// Bits of its first two words that name what it answers.
+    pub name_mask: u64,
     /// The bit of its first word that closes a frame.
     pub end_mask: u32,
     /// The core's events.
@@ -151,12 +151,12 @@ impl Bench<'_> {
     fn parameters(&self) -> String {
         let Self { words, bus, packet_bytes, end_mask, .. } = self;
         let name = self.top.top();
-        let mask = if self.number_bits == 0 { 0 } else { u32::MAX >> (32 - self.number_bits) };
+        let [first, second] = [self.name_mask as u32, (self.name_mask >> 32) as u32];
         let mut text = format!(
             "    localparam WORDS = {words};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
              localparam FILE = \"{name}_test.hex\";\n    \
              localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {};\n    \
-             localparam [31:0] NUMBER_MASK = 32'h{mask:x}, END_MASK = 32'h{end_mask:x};\n",
+             localparam [31:0] NAME_MASK = 32'h{first:x}, SECOND_NAME_MASK = 32'h{second:x}, END_MASK = 32'h{end_mask:x};\n",
             bus.stream_bits,
             bus.memory_bits,
             packet_bytes / 4,

@@ -43,7 +43,7 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         bus: config.bus,
         words,
         packet_bytes: Layout::record::<CachedResult>(config).packet_bytes(config.bus.stream_bits),
-        number_bits: config.index_bits,
+        name_mask: (1 << config.index_bits) - 1,
         end_mask: 0,
         events: fields::<search::units::Events>(config),
         memories: if config.tree_cache > 0 {
@@ -69,7 +69,7 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
         bus: config.search.bus,
         words,
         packet_bytes: Layout::record::<Outcome>(&config.process).packet_bytes(config.search.bus.stream_bits),
-        number_bits: config.process.index_bits,
+        name_mask: (1 << config.process.index_bits) - 1,
         end_mask: 0,
         events: fields::<points::units::Events>(config),
         memories: [BenchMemory::POINTS, BenchMemory::LINES]
@@ -94,13 +94,13 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         bus: config.bus,
         words,
         packet_bytes: Layout::record::<Fragment>(config).packet_bytes(config.bus.stream_bits),
-        number_bits: 0,
+        name_mask: splat_script::tile_mask(config),
         end_mask: END_MASK,
         events: fields::<splat::units::Events>(config),
         memories: vec![],
         has_window: false,
         buffer: Some(Buffer {
-            tiles: 1 << config.tile_bits(),
+            tiles: config.buffer_tiles() as u32,
             pixel_beats: stride / (config.bus.memory_bits / 8),
             pages: splat_script::PAGES,
         }),

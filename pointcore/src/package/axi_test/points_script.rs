@@ -215,7 +215,7 @@ impl Host<'_> {
             let first = [index as u64, (*iterations).into(), (*capped).into()];
             let values: Vec<u64> = first.into_iter().chain(outputs.iter().map(|word| u64::from(*word))).collect();
             let place = self.control.script.data(&words(&layout.encode(&values, bytes)));
-            expected.push((index as u32, place, 1));
+            expected.push((place, 1));
         }
         self.control.script.expect(&expected);
     }

@@ -210,11 +210,10 @@ impl Script {
         self.operation(8, 0, &[]);
     }
 
-    /// Expects packets: of each number some, as they lie from a place on.
-    pub fn expect(&mut self, answers: &[(u32, u32, u32)]) {
-        let operands: Vec<u32> =
-            answers.iter().flat_map(|&(number, place, packets)| [number, place, packets]).collect();
-        self.received += answers.iter().map(|(.., packets)| packets).sum::<u32>();
+    /// Expects packets: of each answer some, as they lie from a place on.
+    pub fn expect(&mut self, answers: &[(u32, u32)]) {
+        let operands: Vec<u32> = answers.iter().flat_map(|&(place, packets)| [place, packets]).collect();
+        self.received += answers.iter().map(|(_, packets)| packets).sum::<u32>();
         self.operation(9, answers.len() as u32, &operands);
     }
 

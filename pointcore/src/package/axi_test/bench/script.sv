@@ -142,11 +142,10 @@ POSTED
                     answers = word[31:8];
                     packets_left = 0;
                     for (int k = 0; k < answers; k = k + 1) begin
-                        answer_number[k] = words[at];
-                        answer_next[k] = words[at + 1];
-                        answer_packets[k] = words[at + 2];
-                        packets_left = packets_left + words[at + 2];
-                        at = at + 3;
+                        answer_next[k] = words[at];
+                        answer_packets[k] = words[at + 1];
+                        packets_left = packets_left + words[at + 1];
+                        at = at + 2;
                     end
                 end
                 8'd10: while (packets_left > word[31:8]) @(negedge clk);

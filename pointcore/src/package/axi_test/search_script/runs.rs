@@ -106,8 +106,8 @@ impl<'a> Host<'a> {
         self.control.script.expect(&answers);
     }
 
-    /// The results of a query, at most so many, as its number, where they lie, and how many they are.
-    fn answer(&mut self, index: usize, most: usize, is_cached: bool) -> (u32, u32, u32) {
+    /// The results of a query, at most so many, as where they lie, and how many they are.
+    fn answer(&mut self, index: usize, most: usize, is_cached: bool) -> (u32, u32) {
         let config = self.config;
         let placement = &self.placements[self.now];
         let results = self.searches.results(config, placement, index, most, is_cached);
@@ -115,7 +115,7 @@ impl<'a> Host<'a> {
         let bytes = layout.packet_bytes(config.bus.stream_bits);
         let packets: Vec<u32> = results.iter().flat_map(|result| words(&layout.encode(result, bytes))).collect();
         let place = self.control.script.data(&packets);
-        (placement.number(config, index), place, results.len() as u32)
+        (place, results.len() as u32)
     }
 
     pub fn start(&mut self, queries: u32) {

@@ -9,8 +9,10 @@ use super::operations::Pauses;
 use super::registers;
 use super::script::Script;
 use crate::splat::SplatCore;
+use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Fragment, LOCAL_BITS};
 use pointcore_tb::lockstep::LockstepError;
 use runs::Host;
 
@@ -20,6 +22,13 @@ const SEED: u64 = 1;
 const RESET_CYCLES: u32 = 5;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 4;
+
+/// The bits of a fragment's first two words that name its tile.
+pub fn tile_mask(config: &Config) -> u64 {
+    let layout = Layout::record::<Fragment>(config);
+    let places = layout.places.iter().filter(|place| ["column", "row"].contains(&place.name.as_str()));
+    places.fold(0, |mask, place| mask | (((1 << place.width) - 1) >> LOCAL_BITS) << (8 * place.byte + LOCAL_BITS))
+}
 
 /// The whole script.
 ///

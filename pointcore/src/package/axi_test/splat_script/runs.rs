@@ -8,7 +8,7 @@ use super::frames::Frame;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
 use pointcore_contract::bus::{Layout, Register};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
+use pointcore_contract::splat::records::{Fragment, LOCAL_BITS, Splat, Uniforms};
 use pointcore_contract::{fields, words as values};
 
 /// Where the buffer lies in each frame.
@@ -21,6 +21,11 @@ const CLEAR_CYCLES: u32 = 100;
 const LONG_RUN_CYCLES: u32 = 70_000;
 /// Nothing but holds a channel back.
 const ALWAYS: u8 = 255;
+
+/// The tile of a fragment, or none for the end.
+fn tile(fragment: &Fragment) -> Option<[u16; 2]> {
+    (!fragment.end).then(|| [fragment.row, fragment.column].map(|place| place >> LOCAL_BITS))
+}
 
 /// A host with its core.
 pub struct Host<'a> {
@@ -79,10 +84,14 @@ impl<'a> Host<'a> {
         let layout = Layout::record::<Fragment>(self.config);
         let bytes = layout.packet_bytes(self.config.bus.stream_bits);
         let packet = |fragment: &Fragment| words(&layout.encode(&values(self.config, *fragment), bytes));
-        let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
-        let count = fragments.len() as u32;
-        let place = self.control.script.data(&packets);
-        self.control.script.expect(&[(0, place, count)]);
+        // Those of a tile come in their order, tiles in any.
+        let tiles = fragments.chunk_by(|one, other| tile(one) == tile(other));
+        let mut answers = vec![];
+        for fragments in tiles {
+            let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
+            answers.push((self.control.script.data(&packets), fragments.len() as u32));
+        }
+        self.control.script.expect(&answers);
         self.control.script.place_buffer(BASES[self.now]);
     }
 
@@ -224,7 +233,7 @@ impl<'a> Host<'a> {
             self.send_all();
             self.control.script.wait_sent();
             // Until a tile has left, or the first is read.
-            let tiles = 1 << self.config.tile_bits();
+            let tiles = self.config.buffer_tiles() as u32;
             self.control.script.wait(2 * tiles + CLEAR_CYCLES + 10 * SETTLE_CYCLES);
             self.control.script.write(CONTROL, ABORT);
             self.settle();
