@@ -6,7 +6,7 @@
 // What the tile cache wants is carried out in cycles that the page names, by what the unit shows of its samples.
 //
 // Assumed, with the words of docs/units/splat/accumulator.md and tile_cache.md:
-// - a copy's samples have one slot and come one after the other, the last one marked; an end comes between copies;
+// - a copy's samples have one slot and come one after the other, the last one marked;
 // - a slot that still expects samples does not cease to be ready: those of all copies that came and have not retired;
 // - slots change, are filled and drained while they are not ready, and no pixel is read while it is filled;
 // - a slot becomes ready after a change, when all that it is said to hold was filled.
@@ -16,7 +16,7 @@ module proof (input clk);
     reg rst = 1;
     always @(posedge clk) rst <= 0;
 
-    (* anyseq *) reg in_valid, in_end, in_last, in_inside, in_slot, in_front, fill_valid, fill_slot, fill_any, drain_enable, drain_slot;
+    (* anyseq *) reg in_valid, in_last, in_inside, in_slot, in_front, fill_valid, fill_slot, fill_any, drain_enable, drain_slot;
     (* anyseq *) reg change_valid, change_slot;
     (* anyseq *) reg in_place, fill_place, drain_place;
     wire [5:0] in_pixel = in_place, fill_pixel = fill_place, drain_pixel = drain_place;
@@ -31,7 +31,7 @@ module proof (input clk);
     wire [5:0] drained_pixel;
     wire [63:0] masks_written, masks_dirty;
     wire [1:0] sample_reads, sample_writes;
-    wire drained_valid, in_ready, retire_valid, retire_slot, frame_end, event_accumulate, event_hazard, event_slot_wait;
+    wire drained_valid, in_ready, retire_valid, retire_slot, event_accumulate, event_hazard, event_slot_wait;
     `UNIT unit (.*);
 
     (* anyconst *) reg slot;
@@ -41,14 +41,12 @@ module proof (input clk);
     wire comes = in_valid && in_ready;
     reg begun = 0, begun_slot;
     reg [2:0] pending [0:1];
-    reg [2:0] ends = 0;
-    wire begins = comes && !in_end && !begun;
+    wire begins = comes && !begun;
     initial {pending[0], pending[1]} = 6'd0;
     always @(posedge clk) if (!rst) begin
-        if (comes && !in_end) {begun, begun_slot} <= {!in_last, in_slot};
+        if (comes) {begun, begun_slot} <= {!in_last, in_slot};
         pending[0] <= pending[0] + (begins && !in_slot) - (retire_valid && !retire_slot);
         pending[1] <= pending[1] + (begins && in_slot) - (retire_valid && retire_slot);
-        ends <= ends + (comes && in_end) - frame_end;
     end
     reg [1:0] was_ready = 0, write_taken = 0;
     always @(posedge clk) begin
@@ -57,8 +55,8 @@ module proof (input clk);
     end
     always @* begin
         assume (!rst || !(in_valid || change_valid || fill_valid || drain_enable || slot_ready));
-        assume (!begun || (in_slot == begun_slot && !in_end));
-        assume (!(begins && &pending[in_slot]) && !(comes && in_end && &ends));
+        assume (!begun || in_slot == begun_slot);
+        assume (!(begins && &pending[in_slot]));
         assume (!(was_ready[0] && !slot_ready[0]) || pending[0] == 0);
         assume (!(was_ready[1] && !slot_ready[1]) || pending[1] == 0);
         assume (!(fill_valid && slot_ready[fill_slot]) && !(drain_enable && slot_ready[drain_slot]));
@@ -75,7 +73,7 @@ module proof (input clk);
     localparam COUNT_BITS = 5;
     reg [COUNT_BITS-1:0] must, samples = 0;
     reg front = 0;
-    wire is_sample = comes && !in_end && in_inside && in_slot == slot && in_pixel == pixel;
+    wire is_sample = comes && in_inside && in_slot == slot && in_pixel == pixel;
     wire falls = was_ready[slot] && !slot_ready[slot];
     reg is_held, filled_value;
     wire [COUNT_BITS-1:0] now = samples + (front || !is_held ? 0 : filled_value);
@@ -128,24 +126,14 @@ module proof (input clk);
         leaves_banks: assert (sample_reads != 3 && sample_writes != 3);
         waits_for_samples: assert ((sample_reads == 0 && sample_writes == 0) || pending[0] != 0 || pending[1] != 0);
         retires_what_came: assert (!retire_valid || pending[retire_slot] != 0);
-        frame_ends_last: assert (!frame_end || (ends != 0));
-        nothing_before_the_end: assert (!(frame_end && ends == 1) || !in_order_before);
         one_or_the_other: assert (event_accumulate + event_hazard + event_slot_wait <= 1);
     end
-    // Copies came before the end that is told first.
-    reg [3:0] before_end = 0;
-    wire in_order_before = before_end != 0;
-    always @(posedge clk) if (!rst) begin
-        if (ends == 0) before_end <= comes && in_end ? pending[0] + pending[1] - retire_valid : 0;
-        else before_end <= before_end == 0 ? 0 : before_end - retire_valid;
-    end
-
     // Samples that waited for each other are in a pixel that is drained.
     reg waited = 0;
     always @(posedge clk) if (!rst) begin
         waited <= waited || event_hazard;
         cover (shows && must == 2);
         cover (tells && told_written && !told_dirty);
-        cover (frame_end && waited);
+        cover (retire_valid && waited);
     end
 endmodule

@@ -2,7 +2,7 @@
 // lost: copies go on moving.
 //
 // Splats have tags, which are a part of the first and of the last word of what they carry. Copies that came out on the one side wait here,
-// with the tag that they are to get, until they go in on the other, any of them next.
+// with the tag that they are to get, until they go in on the other, any of them next. Ends do not come back.
 module proof (input clk);
     `include "sizes.vh"
 
@@ -17,12 +17,12 @@ module proof (input clk);
     wire [ATTRIBUTE_BITS-1:0] in_attribute_0 = tag;
     wire [2:0] in_left = 0, in_right = 0, in_top = 0, in_bottom = 0;
     wire [3:0] in_first_sum = 0, in_last_sum = 0, in_first_difference = 0, in_last_difference = 0;
-    wire in_ready, copy_valid, copy_end, placed_ready, out_valid, out_end;
+    wire in_ready, copy_valid, copy_end, placed_ready, out_valid;
     wire [1:0] copy_tile, out_tile;
     wire [SPLAT_BITS-1:0] copy_splat;
     wire [31:0] out_center_x;
     wire [ATTRIBUTE_BITS-1:0] out_attribute_0;
-    wire copy_ready, placed_valid, placed_end;
+    wire copy_ready, placed_valid;
     wire [1:0] placed_tile;
     wire [SPLAT_BITS-1:0] placed_splat;
     wire [2:0] placed_left = 0, placed_right = 0, placed_top = 0, placed_bottom = 0;
@@ -61,20 +61,17 @@ module proof (input clk);
 
     // Those that wait here.
     reg [3:0] waits = 0;
-    reg waiting_end [0:3];
     reg [1:0] waiting_tile [0:3], waiting_tag [0:3];
     reg [SPLAT_BITS-1:0] waiting_splat [0:3];
     wire [1:0] unused = !waits[0] ? 0 : !waits[1] ? 1 : !waits[2] ? 2 : 3;
     wire goes = placed_valid && placed_ready;
     assign copy_ready = copy_willing && !&waits;
     assign placed_valid = placed_willing && waits[chosen];
-    assign placed_end = waiting_end[chosen];
     assign placed_tile = waiting_tile[chosen];
     assign placed_splat = waiting_splat[chosen];
     always @(posedge clk) if (!rst) begin
-        waits <= (waits & ~({3'b0, goes} << chosen)) | ({3'b0, comes} << unused);
+        waits <= (waits & ~({3'b0, goes} << chosen)) | ({3'b0, comes && !copy_end} << unused);
         if (comes) begin
-            waiting_end[unused] <= copy_end;
             waiting_tile[unused] <= copy_tile;
             waiting_splat[unused] <= copy_splat;
             waiting_tag[unused] <= held_tag;
@@ -83,16 +80,15 @@ module proof (input clk);
 
     // Those on their way out, the first one at place 0.
     reg [2:0] leaving = 0;
-    reg [4:0] outward [0:3];
+    reg [3:0] outward [0:3];
     wire leaves = out_valid && out_ready;
     wire [2:0] behind = leaving - leaves;
-    wire first_end;
     wire [1:0] first_tile, first_tag;
-    assign {first_end, first_tile, first_tag} = outward[0];
+    assign {first_tile, first_tag} = outward[0];
     always @(posedge clk) if (!rst) begin
         leaving <= behind + goes;
         if (leaves) {outward[0], outward[1], outward[2]} <= {outward[1], outward[2], outward[3]};
-        if (goes) outward[behind[1:0]] <= {placed_end, placed_tile, waiting_tag[chosen]};
+        if (goes) outward[behind[1:0]] <= {placed_tile, waiting_tag[chosen]};
     end
 
     // With neighbors that take and give, something moves every few cycles: PATIENCE covers a place's way back.
@@ -107,17 +103,14 @@ module proof (input clk);
         one_at_a_time: assert (!(push && held && !comes));
         none_too_many: assert (!goes || behind < 4);
         none_out_of_nothing: assert (!out_valid || leaving != 0);
-        in_its_place: assert (!out_valid || out_end == first_end);
-        has_its_tile: assert (!out_valid || out_end || out_tile == first_tile);
-        has_its_payload: assert (!out_valid || out_end || (out_center_x == first_tag && out_attribute_0 == first_tag));
+        has_its_tile: assert (!out_valid || out_tile == first_tile);
+        has_its_payload: assert (!out_valid || (out_center_x == first_tag && out_attribute_0 == first_tag));
         goes_on: assert (stands <= PATIENCE);
     end
     axi_channel #(.OURS(1), .WIDTH(4 + SPLAT_BITS)) copy_stays (
         clk, rst, copy_valid, copy_ready, {copy_end, {copy_tile, copy_splat, 1'b0} | {(3 + SPLAT_BITS){copy_end}}}
     );
-    axi_channel #(.OURS(1), .WIDTH(5)) out_stays (
-        clk, rst, out_valid, out_ready, {out_end, {out_tile, out_center_x[1:0]} | {4{out_end}}}
-    );
+    axi_channel #(.OURS(1), .WIDTH(4)) out_stays (clk, rst, out_valid, out_ready, {out_tile, out_center_x[1:0]});
 
 `ifdef STEADY
     // Nobody waits: so more cycles are searched in the same time, and faults are found that take many.
@@ -129,9 +122,9 @@ module proof (input clk);
     reg was_end = 0;
     always @(posedge clk) if (!rst) begin
         if (push && in_first && !in_end && !&splats) splats <= splats + 1;
-        was_end <= was_end || (leaves && out_end);
-        cover (splats > PLACES && leaves && !out_end && open_copies == 2 && first_tag == open_tag);
-        cover (was_end && leaves && !out_end);
+        was_end <= was_end || (comes && copy_end);
+        cover (splats > PLACES && leaves && open_copies == 2 && first_tag == open_tag);
+        cover (was_end && leaves);
         cover (&waits && waiting_splat[0] == waiting_splat[3]);
     end
 endmodule

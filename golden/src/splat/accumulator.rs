@@ -48,7 +48,6 @@ pub struct Accumulator {
     /// Front: the sample issued last. As many as a sum takes, and one that writes.
     stages: VecDeque<Option<Stage>>,
     retire: Option<Slot>,
-    frame_end: bool,
     /// The pixels that were read for the tile cache in the cycle before, and in the one before that.
     read: Option<DrainedPixel>,
     drained: Option<DrainedPixel>,
@@ -70,7 +69,6 @@ impl Accumulator {
             masks: SlotMasks::default(),
             stages: vec![None; config.accumulate_stages as usize + 1].into(),
             retire: None,
-            frame_end: false,
             read: None,
             drained: None,
             events: AccumulatorEvents::default(),
@@ -80,7 +78,7 @@ impl Accumulator {
     /// The bank that the sample at the head may read, unless it waits for its slot.
     fn reads(&self) -> u32 {
         let place = self.head.as_ref().map(|sample| &sample.place);
-        let place = place.filter(|place| place.inside && !place.end && self.slot_ready >> place.slot & 1 == 1);
+        let place = place.filter(|place| place.inside && self.slot_ready >> place.slot & 1 == 1);
         place.map_or(0, |place| bank(place.pixel))
     }
 
@@ -162,7 +160,6 @@ impl Model for Accumulator {
         Out {
             in_ready: self.input.in_ready(),
             retire: self.retire,
-            frame_end: self.frame_end,
             masks: self.masks,
             sample_writes: Self::writes(self.stages.iter().rev().nth(1)),
             sample_reads: self.reads(),
@@ -172,20 +169,14 @@ impl Model for Accumulator {
     }
 
     fn clock(&mut self, inputs: &In) {
-        self.frame_end = false;
         self.events = AccumulatorEvents::default();
         let mut issued = false;
         let mut started = None;
         let reads = self.reads();
         if let Some(sample) = self.head {
-            if sample.place.end {
-                issued = self.stages.iter().all(Option::is_none);
-                self.frame_end = issued;
-            } else {
-                self.events = self.stall(&sample);
-                issued = !self.events.hazard && !self.events.slot_wait;
-                started = issued.then(|| self.start(&sample));
-            }
+            self.events = self.stall(&sample);
+            issued = !self.events.hazard && !self.events.slot_wait;
+            started = issued.then(|| self.start(&sample));
         }
         self.exchange(inputs, reads);
 
@@ -233,7 +224,7 @@ mod tests {
 
     /// A sample whose ε-band reaches 100 to either side.
     fn sample(pixel: u8, weight: u16, depth: u32) -> WeightedSample {
-        let place = SamplePlace { end: false, last: true, inside: true, slot: 1, pixel, weight };
+        let place = SamplePlace { last: true, inside: true, slot: 1, pixel, weight };
         let weighted_depth = u64::from(weight) * u64::from(depth);
         let mut attributes = [0; 14];
         attributes[0] = 0x3c00; // 1.0 in f16
@@ -317,22 +308,5 @@ mod tests {
             let less = unit.accumulate(&twice, &sample).map(|pixel| pixel.attributes[0]);
             assert_eq!(less, Some(sign | 0x77fe), "and can be lowered");
         }
-    }
-
-    #[test]
-    fn the_end_comes_after_every_sample() {
-        let end =
-            WeightedSample { place: SamplePlace { end: true, ..SamplePlace::default() }, ..WeightedSample::default() };
-        let mut unit = Accumulator::new(&config());
-        let mut ended = None;
-        let mut retired = None;
-        for cycle in 0..20 {
-            let out = unit.outputs();
-            retired = out.retire.map(|_| cycle).or(retired);
-            ended = if out.frame_end { Some(cycle) } else { ended };
-            let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
-            unit.clock(&In { input, slot_ready: 2, ..In::default() });
-        }
-        assert_eq!((retired, ended), (Some(10), Some(11)), "all stages are empty when the last sample retires");
     }
 }

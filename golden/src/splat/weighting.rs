@@ -33,9 +33,6 @@ impl Weighting {
     #[must_use]
     pub fn weigh(&self, sample: &Sample) -> WeightedSample {
         let Sample { place, band, attributes } = *sample;
-        if place.end {
-            return WeightedSample { place, ..WeightedSample::default() };
-        }
         let mut contributions = attributes.map(u64::from);
         for (contribution, attribute) in contributions[..self.continuous].iter_mut().zip(attributes) {
             *contribution = self.attribute.weigh(place.weight, attribute);

@@ -143,7 +143,7 @@ impl Exchange {
             let inside = random.u8(0..5) > 0;
             let pixel = first.wrapping_add(random.u8(0..3)) % TILE_PIXELS as u8;
             let last = number == count;
-            sample.place = SamplePlace { end: false, last, inside, slot: placed.slot, pixel, weight };
+            sample.place = SamplePlace { last, inside, slot: placed.slot, pixel, weight };
             let depth = SURFACES[random.usize(0..SURFACES.len())] + random.u32(0..EPSILON / 2);
             sample.weighted_depth = u64::from(weight) * u64::from(depth);
             (sample.depth_low, sample.depth_high) = (depth - EPSILON, depth + EPSILON);

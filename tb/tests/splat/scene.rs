@@ -149,24 +149,15 @@ pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
     through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
-/// Copies with slots and payloads, and one end record behind them all: the rasterizer sees no copy until its frame has ended.
+/// Copies with slots and payloads.
 pub fn complete_copies(config: &Config, count: usize) -> Vec<CompleteCopy> {
     let mut random = random();
     let copies = copies(config, count).into_iter().filter(|copy| !copy.end);
     let place = |copy| {
-        let SplatCopy { end, footprint, attributes, bounds, diagonals, tile, .. } = copy;
-        CompleteCopy {
-            end,
-            footprint,
-            attributes,
-            bounds,
-            diagonals,
-            tile,
-            slot: random.u8(0..config.tile_slots as u8),
-        }
+        let SplatCopy { footprint, attributes, bounds, diagonals, tile, .. } = copy;
+        CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot: random.u8(0..config.tile_slots as u8) }
     };
-    let end = CompleteCopy { end: true, ..CompleteCopy::default() };
-    copies.map(place).chain([end]).collect()
+    copies.map(place).collect()
 }
 
 /// Samples of splats.

@@ -149,8 +149,16 @@ pub struct ArrivedCopy {
 /// A copy with the slot its tile lives in.
 #[record(config: Config)]
 pub struct PlacedCopy {
-    /// The copy.
-    pub copy: TileCopy,
+    /// Bounds in the tile.
+    pub bounds: TileRectangle,
+    /// What they leave of its corners.
+    pub diagonals: TileDiagonals,
+    /// Tile index: row above column.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Place of its splat's payload.
+    #[bits(config.splat_bits())]
+    pub splat: u16,
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
@@ -159,8 +167,6 @@ pub struct PlacedCopy {
 /// A copy with its slot, and with its splat's payload again.
 #[record(config: Config)]
 pub struct CompleteCopy {
-    /// Closes the frame.
-    pub end: bool,
     /// Footprint.
     pub footprint: Footprint,
     /// Attributes.

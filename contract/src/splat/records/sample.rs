@@ -8,8 +8,6 @@ use crate::splat::config::{DEPTH_BITS, WEIGHT_BITS};
 /// Where a sample lies and what it weighs.
 #[record(config: Config)]
 pub struct SamplePlace {
-    /// Closes the frame.
-    pub end: bool,
     /// Closes its copy.
     pub last: bool,
     /// Lies inside the splat; one outside is passed on only to say so.

@@ -68,8 +68,6 @@ pub struct Accumulator {
     slot_ready: Input<u64>,
     /// A copy is done with.
     retire: PulseOut<Slot>,
-    /// The frame is done with.
-    frame_end: Output<bool>,
     /// A slot gets another tile, until that is carried out in every bank.
     change: PulseIn<SlotChange>,
     /// What the slot that changed last held before.

@@ -123,16 +123,13 @@ impl Payloads {
             self.beat += 1;
         }
         self.next.step(inputs.placed, advances);
-        read.filter(|read| !read.copy.end).map(|read| read.copy.splat)
+        read.map(|read| read.splat)
     }
 
     fn complete(&self, placed: &PlacedCopy) -> CompleteCopy {
-        let PlacedCopy { copy: TileCopy { end, bounds, diagonals, tile, splat }, slot } = *placed;
-        if end {
-            return CompleteCopy { end, ..CompleteCopy::default() };
-        }
+        let PlacedCopy { bounds, diagonals, tile, splat, slot } = *placed;
         let (footprint, attributes) = self.payloads[usize::from(splat)];
-        CompleteCopy { end, footprint, attributes, bounds, diagonals, tile, slot }
+        CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot }
     }
 }
 

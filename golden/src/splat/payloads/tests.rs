@@ -5,7 +5,7 @@ use fastrand::Rng;
 /// Cycles without a transfer after which nothing is on its way.
 const QUIET_CYCLES: u32 = 60;
 
-/// What lies between the two sides: copies leave it in any order, those of a frame before its end.
+/// What lies between the two sides: copies leave it in any order, and ends do not.
 struct Between {
     copies: Vec<TileCopy>,
     room: usize,
@@ -14,15 +14,14 @@ struct Between {
 
 impl Between {
     fn takes(&self, random: &mut Rng) -> bool {
-        self.copies.len() < self.room && !self.copies.iter().any(|copy| copy.end) && random.u8(..4) > 0
+        self.copies.len() < self.room && random.u8(..4) > 0
     }
 
     /// What is offered to the way out.
     fn offer(&mut self, random: &mut Rng) -> Option<PlacedCopy> {
-        let waits = self.copies.iter().filter(|copy| !copy.end).count();
         if self.offer.is_none() && !self.copies.is_empty() && random.bool() {
-            let copy = self.copies.remove(random.usize(..waits.max(1)));
-            self.offer = Some(PlacedCopy { copy, slot: 3 });
+            let TileCopy { bounds, diagonals, tile, splat, .. } = self.copies.remove(random.usize(..self.copies.len()));
+            self.offer = Some(PlacedCopy { bounds, diagonals, tile, splat, slot: 3 });
         }
         self.offer
     }
@@ -49,7 +48,7 @@ fn copies(random: &mut Rng, tiles: u32, splats: u32) -> Vec<SplatCopy> {
 /// Sends copies through; returns what left, and the most copies between.
 fn run(payloads: &mut Payloads, sent: &[SplatCopy], room: usize, random: &mut Rng) -> (Vec<CompleteCopy>, usize) {
     let mut between = Between { copies: Vec::new(), room, offer: None };
-    let (mut received, mut most, mut quiet) = (Vec::new(), 0, 0);
+    let (mut received, mut most, mut quiet, mut ends) = (Vec::new(), 0, 0, 0);
     let mut input = None;
     let mut rest = sent.iter().copied();
     while quiet < QUIET_CYCLES {
@@ -60,13 +59,15 @@ fn run(payloads: &mut Payloads, sent: &[SplatCopy], room: usize, random: &mut Rn
         payloads.clock(&inputs);
         let before = (received.len(), between.copies.len(), input.is_some());
         received.extend(out.out.filter(|_| inputs.out_ready));
-        between.copies.extend(out.copy.filter(|_| copy_ready));
+        between.copies.extend(out.copy.filter(|copy| copy_ready && !copy.end));
+        ends += usize::from(copy_ready && out.copy.is_some_and(|copy| copy.end));
         between.offer = between.offer.filter(|_| !out.placed_ready);
         input = input.filter(|_| !out.in_ready);
         most = most.max(between.copies.len());
         quiet = if before == (received.len(), between.copies.len(), input.is_some()) { quiet + 1 } else { 0 };
     }
     assert!(input.is_none() && rest.next().is_none() && between.copies.is_empty(), "everything went through");
+    assert_eq!(ends, sent.iter().filter(|copy| copy.end).count());
     (received, most)
 }
 
@@ -87,15 +88,13 @@ fn every_copy_gets_its_payload_and_every_place_is_free_again() {
             let room = random.usize(1..24);
             let (received, most) = run(&mut payloads, &sent, room, random);
             filled += u32::from(most == room);
-            let identity = |end: bool, splat: u32, tile: u32| if end { None } else { Some((splat, tile)) };
-            let mut sent: Vec<_> = sent.iter().map(|copy| identity(copy.end, copy.attributes[0], copy.tile)).collect();
-            let mut left: Vec<_> =
-                received.iter().map(|copy| identity(copy.end, copy.attributes[0], copy.tile)).collect();
-            // Ends keep their place: in each frame there are the same copies.
-            sent.split_mut(Option::is_none).for_each(<[_]>::sort);
-            left.split_mut(Option::is_none).for_each(<[_]>::sort);
+            let sent = sent.iter().filter(|copy| !copy.end);
+            let mut sent: Vec<_> = sent.map(|copy| (copy.attributes[0], copy.tile)).collect();
+            let mut left: Vec<_> = received.iter().map(|copy| (copy.attributes[0], copy.tile)).collect();
+            sent.sort_unstable();
+            left.sort_unstable();
             assert_eq!(left, sent, "{config:?}");
-            assert!(received.iter().all(|copy| copy.end || copy.slot == 3));
+            assert!(received.iter().all(|copy| copy.slot == 3));
             assert_eq!(payloads.places.released(), config.splats_held() as usize, "{config:?}");
         }
         assert!((1..20).contains(&filled), "what lies between was full in {filled} of 20 runs, places in others");
@@ -114,7 +113,7 @@ fn copies_follow_each_other_as_fast_as_their_words() {
             let out = payloads.outputs();
             payloads.clock(&In { input: Some(copy), copy_ready: placed.is_none(), placed, out_ready: true });
             if placed.is_none() {
-                placed = out.copy.map(|copy| PlacedCopy { copy, slot: 0 });
+                placed = out.copy.map(|TileCopy { splat, .. }| PlacedCopy { splat, ..PlacedCopy::default() });
             } else if out.placed_ready {
                 placed = None;
             }

@@ -62,7 +62,7 @@ impl Scan {
 
     fn is_last(&self) -> bool {
         let copy = &self.copy;
-        copy.end || (self.row == copy.bounds.bottom && self.is_row_done())
+        self.row == copy.bounds.bottom && self.is_row_done()
     }
 
     fn step(&mut self) {
@@ -134,9 +134,6 @@ impl Rasterizer {
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
     fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<(SamplePlace, Option<Band>)> {
         let copy = &scan.copy;
-        if copy.end {
-            return Some((SamplePlace { end: true, ..SamplePlace::default() }, None));
-        }
         let [tile_column, tile_row] =
             [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
         let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
@@ -146,7 +143,6 @@ impl Rasterizer {
         let last = scan.is_last();
         (inside || last).then(|| {
             let place = SamplePlace {
-                end: false,
                 last,
                 inside,
                 slot: copy.slot,
@@ -263,11 +259,8 @@ impl Model for Rasterizer {
         let taken = inputs.input.filter(|_| self.in_ready());
         let sample = self.scan.as_ref().filter(|_| advances);
         let sample = sample.map(|scan| Token::from(self.sample(scan, inputs.filter_scale)));
-        self.events = RasterizerEvents {
-            sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.copy.end),
-            starved: advances && !busy,
-            blocked: busy && !advances,
-        };
+        self.events =
+            RasterizerEvents { sample: advances && busy, starved: advances && !busy, blocked: busy && !advances };
         if advances {
             match &mut self.scan {
                 Some(scan) if !scan.is_last() => scan.step(),
@@ -275,7 +268,7 @@ impl Model for Rasterizer {
             }
         }
         let left = self.datapath.step(sample, inputs.out_ready);
-        let copy = taken.filter(|copy| !copy.end).map(|copy| (copy.footprint.band, copy.attributes));
+        let copy = taken.map(|copy| (copy.footprint.band, copy.attributes));
         self.copies.step(copy, left.is_some_and(|(place, _)| place.last));
     }
 }

@@ -162,7 +162,8 @@ impl TileCache {
             let passes = self.out.in_ready() && entry.in_flight < IN_FLIGHT_MAX;
             entry.in_flight += u8::from(passes);
             entry.used |= passes;
-            return passes.then_some(PlacedCopy { copy, slot });
+            let TileCopy { bounds, diagonals, tile, splat, .. } = copy;
+            return passes.then_some(PlacedCopy { bounds, diagonals, tile, splat, slot });
         }
         let is_idle = self.job.is_none() && self.slots[usize::from(self.next)].in_flight == 0;
         if !skips && is_idle && may_want {

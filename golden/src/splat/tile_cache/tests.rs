@@ -130,8 +130,8 @@ impl Surroundings {
         };
         if let Some(placed) = out.out.filter(|_| inputs.out_ready) {
             let pixels = random.u64(..) & random.u64(..) & random.u64(..);
-            self.drawn = usize::from(placed.copy.splat) / 1000;
-            self.copies.push_back((placed.slot, placed.copy.tile, pixels, self.drawn));
+            self.drawn = usize::from(placed.splat) / 1000;
+            self.copies.push_back((placed.slot, placed.tile, pixels, self.drawn));
         }
         if let Some(PixelRun { surface, tile, pixel, count }) = out.read.filter(|_| inputs.read_ready) {
             let run = usize::from(pixel)..usize::from(pixel + count);

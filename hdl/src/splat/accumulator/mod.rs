@@ -68,7 +68,7 @@ impl Stage {
 fn collisions(m: &mut Module, head: &Head<Queued<Wires>>, stages: &[Stage]) -> Expr {
     let pixel = |place: Place<Wires>| cat([place.slot, place.pixel]);
     let (place, arriving) = (head.record.place, pixel(head.arriving.place));
-    let inside = head.valid & (place.inside & !place.end);
+    let inside = head.valid & place.inside;
     // Bit i: what will be in stage i + 1 in the next cycle.
     let mut collide = vec![inside & arriving.eq(pixel(place))];
     let moving = &stages[..stages.len() - 1];
@@ -88,7 +88,6 @@ struct Issue {
     inside: Expr,
     /// The head lies inside its splat, and its slot is ready: it issues, or waits for another sample.
     reads: Expr,
-    end: Expr,
     hazard: Expr,
     slot_wait: Expr,
 }
@@ -97,23 +96,20 @@ impl Issue {
     fn new(m: &mut Module, head: &Head<Queued<Wires>>, slot_ready: Expr, stages: &[Stage]) -> Self {
         let on_the_way = collisions(m, head, stages).any();
         let on_the_way = m.wire("on_the_way", on_the_way);
-        let occupied = stages.iter().fold(bit(false), |any, stage| any | stage.valid);
         // Chosen a cycle before it is asked for: what the head's going depends on reaches as far as the queue's memories.
         let arrived = m.reg("arrived", 1);
         let place = head.record.place;
         let is_ready = |slot: Expr| slot_ready.shr_by(slot).bit(0);
         m.next(arrived, head.takes.mux(is_ready(head.arriving.place.slot), is_ready(place.slot)));
 
-        let end = head.valid & place.end;
-        let sample = head.valid & !place.end;
+        let sample = head.valid.expr();
         let inside = m.wire("may_issue_inside", sample & place.inside);
         let slot_wait = m.wire("slot_wait", inside & !arrived);
         let hazard = m.wire("hazard", inside & (arrived & on_the_way));
         let reads = m.wire("reads", inside & arrived);
         let inside = m.wire("issue_inside", inside & (arrived & !on_the_way));
         let sample = m.wire("issue", sample & !(slot_wait | hazard));
-        let end = m.wire("issue_end", end & !occupied);
-        Self { sample, inside, reads, end, hazard, slot_wait }
+        Self { sample, inside, reads, hazard, slot_wait }
     }
 }
 
@@ -153,16 +149,13 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     let ready = PORTS.slot_ready.declare_word(&mut m, config.tile_slots);
     let (retires, retired_slot) = (m.reg_reset("retire_valid", 1, 0), m.reg("retire_slot", config.slot_bits()));
     PORTS.retire.drive(&mut m, config, retires, Slot { slot: *retired_slot });
-    let frame_end = m.reg_reset("frame_end", 1, 0);
-    PORTS.frame_end.drive_word(&mut m, frame_end);
     let ports = SlotPorts::declare(&mut m, config);
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();
     let head = Head::new(&mut m, config, queued);
     let Queued { place, contribution } = head.record;
     let issue = Issue::new(&mut m, &head, ready, &stages);
-    head.leaves(&mut m, issue.sample | issue.end);
-    m.next(frame_end, issue.end);
+    head.leaves(&mut m, issue.sample);
     stages[0].enter(&mut m, &place, &issue);
     for pair in stages.windows(2) {
         pair[1].follow(&mut m, &pair[0]);

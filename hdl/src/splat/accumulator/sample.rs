@@ -12,8 +12,6 @@ use crate::units::wires::Wires;
 /// What decides when and where a sample issues.
 #[record(config: Config)]
 pub(super) struct Place {
-    /// Closes the frame.
-    end: bool,
     /// Closes its copy.
     last: bool,
     /// Lies inside the splat.
@@ -59,10 +57,10 @@ pub(super) struct Queued {
 
 impl From<WeightedSample<Wires>> for Queued<Wires> {
     fn from(sample: WeightedSample<Wires>) -> Self {
-        let SamplePlace { end, last, inside, slot, pixel, weight } = sample.place;
+        let SamplePlace { last, inside, slot, pixel, weight } = sample.place;
         let WeightedSample { weighted_depth, depth_low, depth_high, attributes, .. } = sample;
         Self {
-            place: Place { end, last, inside, slot, pixel },
+            place: Place { last, inside, slot, pixel },
             contribution: Contribution { weight, weighted_depth, depth_low, depth_high, attributes },
         }
     }

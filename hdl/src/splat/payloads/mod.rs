@@ -142,18 +142,18 @@ fn leave(m: &mut Module, config: &Config, words: Words, memory: &Sliced) -> (Exp
     m.drive(next.ready, advance);
     m.next_if(valid, advance, next.valid);
     let current = next.record.register(m, config, "current_", advance);
-    let places = [next.record.copy.splat, current.copy.splat];
+    let places = [next.record.splat, current.splat];
     let payload = read(m, words, beat, advance, places, memory);
 
     // What the memory shows last goes straight into a register, beside what was kept.
     let Payload { footprint, attributes } = words.join(config, &payload);
-    let PlacedCopy { copy: TileCopy { end, bounds, diagonals, tile, splat }, slot } = current;
-    let copy = CompleteCopy { end, footprint, attributes, bounds, diagonals, tile, slot };
+    let PlacedCopy { bounds, diagonals, tile, splat, slot } = current;
+    let copy = CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot };
     let out = copy.register(m, config, "held_out_", has_room);
     m.next_if(out_valid, has_room, leaves);
     let out_ready = PORTS.out.drive(m, config, out_valid, out);
     m.drive(out_taken, out_ready);
-    (m.wire("is_left", leaves & !end), splat)
+    (leaves, splat)
 }
 
 /// The unit.

@@ -40,14 +40,13 @@ pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, C
         }
     };
 
-    let Position { end, last, slot, column, row, shape } = position;
+    let Position { last, slot, column, row, shape } = position;
     let covered = match &squared {
         Squared::Float { format, distance, .. } => distance.lt(program.float(*format, 1.0)),
         Squared::Fixed(squared) => squared.covered,
     };
-    let inside = covered & !end;
     name!(covered);
-    program.keep_if(inside | last | end);
+    program.keep_if(covered | last);
     let kernel = kernel(config)?;
     let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
     let argument = match &squared {
@@ -65,7 +64,7 @@ pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, C
         }
         _ => Band::default(),
     };
-    let place = SamplePlace { end, last, inside, slot, pixel, weight };
+    let place = SamplePlace { last, inside: covered, slot, pixel, weight };
     Evaluated { place, band }.outputs(&program, config);
     compile(&program, options)
 }

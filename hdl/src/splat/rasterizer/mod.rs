@@ -43,7 +43,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
     evaluation.push(&mut m, config, scanner.busy, scanner.position(config, shape));
     let shared = Shared { band: splat.footprint.band, attributes: splat.attributes };
-    queue.push(&mut m, config, load & !splat.end, shared);
+    queue.push(&mut m, config, load, shared);
 
     let (valid, Evaluated { place, band }) = evaluation.shown(&mut m, config);
     let (_, shared) = queue.shown(&mut m, config);
@@ -58,11 +58,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         PORTS.filter_scale.feed_word(&mut m, evaluation.instance(), filter_scale);
     }
     let busy = scanner.busy.expr();
-    let events = RasterizerEvents {
-        sample: (advance & busy) & !scanner.end,
-        starved: advance & !busy,
-        blocked: busy & !advance,
-    };
+    let events = RasterizerEvents { sample: advance & busy, starved: advance & !busy, blocked: busy & !advance };
     PORTS.events.events(&mut m, config, events);
     Ok(Datapath { module: m, manifest })
 }

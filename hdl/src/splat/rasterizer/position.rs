@@ -58,8 +58,6 @@ impl From<Footprint<Wires>> for Shape<Wires> {
 /// What the scanner sends into the evaluation, one item a sample.
 #[record(config: Config)]
 pub(super) struct Position {
-    /// Closes the frame.
-    end: bool,
     /// Closes its copy.
     last: bool,
     /// Slot of the tile cache.

@@ -15,7 +15,6 @@ pub(super) struct Scanner {
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
     pub idle: Reg,
-    pub end: Reg,
     /// The current pixel is the copy's last.
     last: Reg,
     slot: Reg,
@@ -57,7 +56,6 @@ impl Scanner {
             sample_bits: config.sampling.columns().ilog2(),
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
-            end: m.reg("is_end", 1),
             last: m.reg("is_last", 1),
             slot: m.reg("slot", config.slot_bits()),
             tile: m.reg("tile", config.tile_bits()),
@@ -75,7 +73,6 @@ impl Scanner {
         let row_done = m.wire("row_done", self.column.eq(self.row_end));
         m.next_if(self.busy, advance, load | (self.busy & !self.last));
         let copy = copy.record;
-        m.next_if(self.end, ready, copy.end);
         m.next_if(self.slot, ready, copy.slot);
         m.next_if(self.tile, ready, copy.tile);
         let diagonals = copy.diagonals;
@@ -98,7 +95,7 @@ impl Scanner {
             m.next_if(*end, new_row, load.mux(second, following));
         }
         let ends_at = |row: Expr, column: Expr, bottom: Expr, end: Expr| cat([row, column]).eq(cat([bottom, end]));
-        let single = copy.end | ends_at(top, first_ends[0], bottom, first_ends[1]);
+        let single = ends_at(top, first_ends[0], bottom, first_ends[1]);
         let next_row_end = row_done.mux(next_end, self.row_end);
         let reaches_last = ends_at(next_row, next_column, *self.bottom, next_row_end);
         m.next_if(self.last, advance, load.mux(single, reaches_last));
@@ -112,8 +109,7 @@ impl Scanner {
         let tile_column = self.tile.bits(column_bits - 1, 0);
         let tile_row = self.tile.bits(config.tile_bits() - 1, column_bits);
         Position {
-            end: *self.end,
-            last: self.last & !self.end,
+            last: *self.last,
             slot: *self.slot,
             column: cat([tile_column, *self.column]),
             row: cat([tile_row, *self.row]),

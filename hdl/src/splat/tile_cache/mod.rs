@@ -63,7 +63,8 @@ fn place_copy(
     let vacate = m.wire("vacate", waits & (directory.next_resident & directory.next_idle));
     m.next(state.surface, state.surface ^ switch);
     head.leaves_at_half_rate(m, send | switch);
-    out.push(m, config, send, PlacedCopy { copy: head.record, slot: directory.copy.slot });
+    let TileCopy { bounds, diagonals, tile, splat, .. } = head.record;
+    out.push(m, config, send, PlacedCopy { bounds, diagonals, tile, splat, slot: directory.copy.slot });
     Placement { send, start, vacate, pass: waits & !switch, switch }
 }
 

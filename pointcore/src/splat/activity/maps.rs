@@ -105,9 +105,6 @@ impl SampleMaps {
 
     /// A rasterizer takes a copy: it will evaluate each sample of its octagon.
     pub(super) fn copy(&mut self, lane: usize, copy: &CompleteCopy) {
-        if copy.end {
-            return;
-        }
         self.copies += 1;
         self.lanes[lane].tiles[usize::from(copy.slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
@@ -172,7 +169,6 @@ mod tests {
         // In the upper row the first column alone, and both in the lower one.
         let diagonals = TileDiagonals { first_sum: 0, last_sum: 14, first_difference: 0, last_difference: 4 };
         maps.copy(0, &CompleteCopy { tile, bounds, diagonals, slot: 1, ..CompleteCopy::default() });
-        maps.copy(0, &CompleteCopy { end: true, bounds, ..CompleteCopy::default() });
         let place = SamplePlace { inside: true, slot: 1, pixel: 3 * 8 + 1, ..SamplePlace::default() };
         maps.sample(0, &place);
         maps.sample(0, &SamplePlace { inside: false, ..place });

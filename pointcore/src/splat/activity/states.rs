@@ -146,8 +146,6 @@ struct Lane {
     reorder: Passage,
     tile_cache: Passage,
     weighting: Datapath,
-    /// The tile cache sends what it has to normalization.
-    is_flushing: bool,
 }
 
 impl Default for Lane {
@@ -157,7 +155,6 @@ impl Default for Lane {
             reorder: Passage::default(),
             tile_cache: Passage::default(),
             weighting: Datapath::new(1),
-            is_flushing: false,
         }
     }
 }
@@ -176,20 +173,18 @@ impl Lane {
         // What is on its way between its two sides is not its work.
         counts.add(Unit::Payloads, self.payloads.see(in_slots, complete), 1);
         counts.add(Unit::Reorder, self.reorder.see(light, ordered), 1);
-        counts.add(Unit::TileCache, self.tile_cache([ordered, in_slots, finished], shown), 1);
+        // An end stays there.
+        let copies = Stream::new(reorder.out.as_ref().filter(|copy| !copy.end), tile_cache.in_ready);
+        counts.add(Unit::TileCache, self.tile_cache(copies, in_slots, finished), 1);
         counts.add(Unit::Weighting, self.weighting.see(samples, weighted), 1);
     }
 
-    fn tile_cache(&mut self, [ordered, placed, finished]: [Stream; 3], shown: &lane::Shown) -> State {
-        let is_end = shown.tile_cache.pixel.as_ref().is_some_and(|pixel| pixel.end);
-        self.is_flushing = (self.is_flushing || false) && !(is_end && finished.moves());
-        let moves = self.tile_cache.moves(ordered, placed) || finished.moves();
+    fn tile_cache(&mut self, copies: Stream, placed: Stream, finished: Stream) -> State {
+        let moves = self.tile_cache.moves(copies, placed) || finished.moves();
         if moves {
             State::Busy
         } else if placed.is_held() || finished.is_held() {
             State::Held
-        } else if self.is_flushing {
-            State::Busy
         } else if self.tile_cache.held == 0 {
             State::Starved
         } else if self.tile_cache.still > TILE_CACHE_TRANSIT_CYCLES {
