@@ -14,6 +14,8 @@ use std::path::Path;
 pub(super) const TABLE_SCENES: [&str; 3] = ["bench/table53_1", "bench/table53_2", "bench/table53_3"];
 /// Numbers of rasterizers.
 const RASTERIZERS: [u32; 4] = [1, 2, 4, 8];
+/// Frames that follow each other.
+const REPEATED_FRAMES: usize = 4;
 /// The key of the configuration that counts them.
 const RASTERIZERS_KEY: &str = "rasterizers";
 
@@ -49,16 +51,20 @@ fn with_rasterizers(scene: &Scene, count: u32) -> Result<Plan, LabError> {
     Ok(Plan::with_overrides(scene, &overrides)?)
 }
 
-/// Whole frames, flush included.
-fn frame_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static str, Value); 9], LabError> {
+/// Whole frames, until the last fragment has left; and the same one several times over, each drawn while the one before leaves.
+fn frame_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static str, Value); 10], LabError> {
     let core = SplatCore::generate(&plan.config)?;
     let frame = EncodedFrame::new(scene, plan);
     let runner = SplatRunner::new(&plan.config, &frame);
     let outcome = runner.golden(&core)?;
     let report = Reported { name, scene, plan, engine: "golden", mismatches: None }.report(&runner, &outcome);
+    let repeated = EncodedFrame { records: frame.records.repeat(REPEATED_FRAMES), ..frame.clone() };
+    let repeated = SplatRunner::new(&plan.config, &repeated).golden(&core)?.counters.cycles;
+    let of_repeated = (report.bound.cycles * REPEATED_FRAMES as u64) as f64 / repeated as f64;
     Ok([
         ("cycles", report.cycles.into()),
         ("bound_fraction", report.bound_fraction.into()),
+        ("bound_fraction_frames4", of_repeated.into()),
         ("visited_ratio", report.visited_ratio.into()),
         ("hazard_fraction", report.hazard_fraction.into()),
         ("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into()),
