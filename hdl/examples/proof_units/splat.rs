@@ -34,7 +34,7 @@ fn heaps() -> [Proof; 3] {
 fn tile_caches() -> [Proof; 2] {
     const DEPTHS: Depths = Depths { placed: 2, asked: 2, written: 2 };
     let config = Config { splat_levels: 0, tile_slots: 2, ..copies() };
-    let sizes = [("ATTRIBUTE_BITS", config.attribute.width())];
+    let sizes = [("ATTRIBUTE_BITS", config.attribute.width()), ("SPLAT_BITS", config.splat_bits())];
     let cache = |name| Proof::new(name, tile_cache::sized(&config, DEPTHS), &sizes);
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
 }

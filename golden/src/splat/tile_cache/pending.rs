@@ -43,6 +43,8 @@ pub struct Pending {
     /// Frames that have come whole and are still drawn.
     pub whole: u32,
     looked_up: Option<LookedUp>,
+    /// The one that was looked up in the cycle before.
+    compared: Option<LookedUp>,
     /// A tile whose last copy has reached the head.
     clears: Option<SurfacePlace>,
 }
@@ -59,6 +61,7 @@ impl Pending {
             surface: false,
             whole: 0,
             looked_up: None,
+            compared: None,
             clears: None,
         }
     }
@@ -83,7 +86,8 @@ impl Pending {
         let overtakes = |at: SurfacePlace| enters.is_some_and(|(place, _)| place == at);
 
         // A copy that came meanwhile is a later one.
-        let reached = self.looked_up.take().filter(|head| head.last == Some(head.splat) && !overtakes(head.at));
+        let reached = self.compared.take().filter(|head| head.last == Some(head.splat) && !overtakes(head.at));
+        self.compared = self.looked_up.take().filter(|head| !overtakes(head.at));
         self.looked_up = head.filter(|head| !head.end).map(|TileCopy { tile, splat, .. }| {
             let at = SurfacePlace { surface, place: self.share.place(tile) };
             let last = self.lasts[at.word(self.places)].filter(|_| !overtakes(at));

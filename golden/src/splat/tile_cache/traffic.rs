@@ -84,7 +84,7 @@ impl Traffic {
 
     /// Whether all pixels that leave have come.
     pub const fn all_left(&self) -> bool {
-        !(self.wanted_leaves && !self.wanted.is_empty()) && self.awaited.leaving == 0
+        (!self.wanted_leaves || self.wanted.is_empty()) && self.awaited.leaving == 0
     }
 
     /// Whether nothing is under way between slot and memory.

@@ -65,14 +65,17 @@ impl Pending {
         let shown = m.read(last_copies, "last_copy", reaches.mux(next_word, place));
         let shown = LastCopy::unpack(config, shown);
 
-        // A copy that came meanwhile is a later one.
+        // Compared a cycle after it is shown, behind a register; a copy that came meanwhile is a later one.
         let looked_up = m.reg_reset("looked_up", 1, 0);
         m.next(looked_up, reaches & !head.arriving.end);
+        let compared = m.reg_reset("compared", 1, 0);
+        m.next(compared, looked_up);
+        let found = shown.register(m, config, "found_", bit(true));
         let overtaken = m.reg("overtaken", 1);
-        m.next(overtaken, enters & arrived_word.eq(next_word));
-        let is_last = shown.valid & shown.splat.eq(head.record.splat);
         let overtakes = overtaken | (enters & arrived_word.eq(head_word));
-        let reached = m.wire("last_reached", (looked_up & is_last) & !overtakes);
+        m.next(overtaken, reaches.mux(enters & arrived_word.eq(next_word), overtakes));
+        let is_last = found.valid & found.splat.eq(head.record.splat);
+        let reached = m.wire("last_reached", (compared & is_last) & !overtakes);
         let forgets = m.reg_reset("forgets", 1, 0);
         let forgotten = m.reg("forgotten", place.width());
         m.assert("one_copy_is_forgotten_at_a_time", !(reached & (forgets & enters)));
