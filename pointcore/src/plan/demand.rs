@@ -73,6 +73,9 @@ impl Load {
     }
 }
 
+/// Copies that a lane holds: as many as tiles need that take turns, to twice as many payloads as cost a core's block RAM.
+const COPY_LEVELS: std::ops::RangeInclusive<u32> = 10..=12;
+
 /// What the splats of a frame ask for together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Demand {
@@ -91,7 +94,7 @@ pub(super) struct Demand {
     /// Of transform and setup beside the rasterizer.
     pub load: Load,
     /// Tile columns and rows that they lie in.
-    tiles: Option<[[u32; 2]; 2]>,
+    pub(super) tiles: Option<[[u32; 2]; 2]>,
 }
 
 impl Demand {
@@ -151,6 +154,14 @@ impl Demand {
             load: self.load.sum(other.load),
             tiles,
         }
+    }
+
+    /// Levels of copies whose samples take as long as the frame's pixels need to leave, one a cycle: once the last splat has come, it
+    /// leaves while those are drawn.
+    pub(super) fn copy_levels(&self) -> u32 {
+        let pixels = self.tiles().map(|edge| (edge * TILE_SIZE) as usize).into_iter().product::<usize>();
+        let copies = pixels * self.copies / self.load.samples.max(1);
+        copies.max(1).next_power_of_two().ilog2().clamp(*COPY_LEVELS.start(), *COPY_LEVELS.end())
     }
 
     /// Columns and rows of the rectangle of tiles in which all drawn splats lie.

@@ -93,10 +93,11 @@ impl Plan {
         config.eye_plane = feature(demand.crossing > 0);
         config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
         config.cardinal = has_materials(scene).into();
-        // As many copies wait in all lanes together as would in one.
-        let in_lane = |levels: u32| levels.saturating_sub(asked.rasterizer_bits());
-        config.heap_levels = in_lane(config.heap_levels.min(demand.copies.max(2).ilog2() + 1)).max(2);
-        config.splat_levels = in_lane(config.splat_levels.min(demand.drawn.max(1).ilog2() + 1));
+        // A splat has two copies or so. A lane has its share of all of them.
+        let levels = demand.copy_levels();
+        let lane_levels = |count: usize| (count.max(1).ilog2() + 1).saturating_sub(asked.rasterizer_bits());
+        config.heap_levels = levels.min(lane_levels(demand.copies)).max(2);
+        config.splat_levels = config.splat_levels.max(levels - 1).min(lane_levels(demand.drawn));
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
         let interval = demand.load.interval(asked.rasterizers);

@@ -233,7 +233,18 @@ fn a_splat_takes_as_long_as_its_samples_leave() {
 }
 
 #[test]
-fn lanes_together_hold_what_one_would() {
+fn copies_wait_while_a_frame_leaves() {
+    let levels = |tiles: u32, copies, samples| {
+        let load = Load { splats: 1, samples };
+        Demand { copies, load, tiles: Some([[0, tiles - 1]; 2]), ..Demand::default() }.copy_levels()
+    };
+    // 64 pixels, and 1,024 tiles of them.
+    assert_eq!([levels(1, 100, 100), levels(32, 1000, 30_000), levels(32, 1000, 60_000)], [10, 12, 11]);
+    assert_eq!([levels(32, 1, 1_000_000), levels(32, 1000, 1000)], [10, 12], "what costs much block RAM is left out");
+}
+
+#[test]
+fn lanes_have_their_share_of_all_copies() {
     let planned = |rasterizers: u32| {
         let text = format!("{HEAD}{DUST}[overrides]\nrasterizers = {rasterizers}\n");
         let config = plan(&text).expect("the scene is good").config;
