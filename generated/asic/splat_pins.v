@@ -14,7 +14,7 @@ module splat_pins (
     reg [23:0] drive_splat_tangent1_y, drive_splat_tangent1_z, drive_splat_tangent2_x, drive_splat_tangent2_y;
     reg [23:0] drive_splat_tangent2_z;
     reg [11:0] drive_splat_attribute_0, drive_splat_attribute_1, drive_splat_attribute_2;
-    reg catch_read_valid, drive_read_ready;
+    reg catch_read_valid, drive_read_ready, catch_read_surface;
     reg [11:0] catch_read_tile;
     reg [5:0] catch_read_pixel;
     reg [3:0] catch_read_count;
@@ -22,7 +22,7 @@ module splat_pins (
     reg [27:0] drive_data_weight;
     reg [51:0] drive_data_depth;
     reg [39:0] drive_data_attribute_0, drive_data_attribute_1, drive_data_attribute_2;
-    reg catch_write_valid, drive_write_ready;
+    reg catch_write_valid, drive_write_ready, catch_write_surface;
     reg [11:0] catch_write_tile;
     reg [5:0] catch_write_pixel;
     reg [27:0] catch_write_weight;
@@ -34,17 +34,17 @@ module splat_pins (
     reg [11:0] catch_fragment_attribute_0, catch_fragment_attribute_1, catch_fragment_attribute_2;
     reg catch_event_sample, catch_event_starved, catch_event_blocked, catch_event_accumulate;
     reg catch_event_hazard, catch_event_slot_wait;
-    reg [82:0] fold_0;
+    reg [83:0] fold_0;
     reg [20:0] fold_1;
     reg [5:0] fold_2;
     reg [1:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready, unit_read_valid;
+    wire unit_splat_ready, unit_read_valid, unit_read_surface;
     wire [11:0] unit_read_tile;
     wire [5:0] unit_read_pixel;
     wire [3:0] unit_read_count;
-    wire unit_data_ready, unit_write_valid;
+    wire unit_data_ready, unit_write_valid, unit_write_surface;
     wire [11:0] unit_write_tile;
     wire [5:0] unit_write_pixel;
     wire [27:0] unit_write_weight;
@@ -133,12 +133,13 @@ module splat_pins (
     wire fold_0_unequal_74 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1] ^ catch_write_tile[2];
     wire fold_0_unequal_75 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5] ^ catch_write_tile[6];
     wire fold_0_unequal_76 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9] ^ catch_write_tile[10];
-    wire fold_0_unequal_77 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready ^ catch_read_count[0];
-    wire fold_0_unequal_78 = catch_read_count[1] ^ catch_read_count[2] ^ catch_read_count[3] ^ catch_read_pixel[0];
-    wire fold_0_unequal_79 = catch_read_pixel[1] ^ catch_read_pixel[2] ^ catch_read_pixel[3] ^ catch_read_pixel[4];
-    wire fold_0_unequal_80 = catch_read_pixel[5] ^ catch_read_tile[0] ^ catch_read_tile[1] ^ catch_read_tile[2];
-    wire fold_0_unequal_81 = catch_read_tile[3] ^ catch_read_tile[4] ^ catch_read_tile[5] ^ catch_read_tile[6];
-    wire fold_0_unequal_82 = catch_read_tile[7] ^ catch_read_tile[8] ^ catch_read_tile[9] ^ catch_read_tile[10];
+    wire fold_0_unequal_77 = catch_write_tile[11] ^ catch_write_surface ^ catch_write_valid ^ catch_data_ready;
+    wire fold_0_unequal_78 = catch_read_count[0] ^ catch_read_count[1] ^ catch_read_count[2] ^ catch_read_count[3];
+    wire fold_0_unequal_79 = catch_read_pixel[0] ^ catch_read_pixel[1] ^ catch_read_pixel[2] ^ catch_read_pixel[3];
+    wire fold_0_unequal_80 = catch_read_pixel[4] ^ catch_read_pixel[5] ^ catch_read_tile[0] ^ catch_read_tile[1];
+    wire fold_0_unequal_81 = catch_read_tile[2] ^ catch_read_tile[3] ^ catch_read_tile[4] ^ catch_read_tile[5];
+    wire fold_0_unequal_82 = catch_read_tile[6] ^ catch_read_tile[7] ^ catch_read_tile[8] ^ catch_read_tile[9];
+    wire fold_0_unequal_83 = catch_read_tile[10] ^ catch_read_tile[11] ^ catch_read_surface ^ catch_read_valid;
 
     assign serial_out = fold_4;
 
@@ -152,15 +153,15 @@ module splat_pins (
         .splat_tangent2_x(drive_splat_tangent2_x), .splat_tangent2_y(drive_splat_tangent2_y),
         .splat_tangent2_z(drive_splat_tangent2_z), .splat_attribute_0(drive_splat_attribute_0),
         .splat_attribute_1(drive_splat_attribute_1), .splat_attribute_2(drive_splat_attribute_2),
-        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_tile(unit_read_tile),
-        .read_pixel(unit_read_pixel), .read_count(unit_read_count),
+        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_surface(unit_read_surface),
+        .read_tile(unit_read_tile), .read_pixel(unit_read_pixel), .read_count(unit_read_count),
         .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
         .data_depth(drive_data_depth), .data_attribute_0(drive_data_attribute_0),
         .data_attribute_1(drive_data_attribute_1), .data_attribute_2(drive_data_attribute_2),
-        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_tile(unit_write_tile),
-        .write_pixel(unit_write_pixel), .write_weight(unit_write_weight), .write_depth(unit_write_depth),
-        .write_attribute_0(unit_write_attribute_0), .write_attribute_1(unit_write_attribute_1),
-        .write_attribute_2(unit_write_attribute_2),
+        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_surface(unit_write_surface),
+        .write_tile(unit_write_tile), .write_pixel(unit_write_pixel), .write_weight(unit_write_weight),
+        .write_depth(unit_write_depth), .write_attribute_0(unit_write_attribute_0),
+        .write_attribute_1(unit_write_attribute_1), .write_attribute_2(unit_write_attribute_2),
         .fragment_valid(unit_fragment_valid), .fragment_ready(drive_fragment_ready),
         .fragment_end(unit_fragment_end), .fragment_column(unit_fragment_column),
         .fragment_row(unit_fragment_row), .fragment_depth(unit_fragment_depth),
@@ -192,6 +193,7 @@ module splat_pins (
         drive_splat_attribute_2 <= {drive_splat_attribute_2[10:0], drive_splat_attribute_1[11]};
         catch_read_valid <= unit_read_valid;
         drive_read_ready <= drive_splat_attribute_2[11];
+        catch_read_surface <= unit_read_surface;
         catch_read_tile <= unit_read_tile;
         catch_read_pixel <= unit_read_pixel;
         catch_read_count <= unit_read_count;
@@ -204,6 +206,7 @@ module splat_pins (
         drive_data_attribute_2 <= {drive_data_attribute_2[38:0], drive_data_attribute_1[39]};
         catch_write_valid <= unit_write_valid;
         drive_write_ready <= drive_data_attribute_2[39];
+        catch_write_surface <= unit_write_surface;
         catch_write_tile <= unit_write_tile;
         catch_write_pixel <= unit_write_pixel;
         catch_write_weight <= unit_write_weight;
@@ -265,7 +268,7 @@ module splat_pins (
             fold_0_unequal_71 ^ catch_write_weight[24], fold_0_unequal_72 ^ catch_write_pixel[0],
             fold_0_unequal_73 ^ catch_write_pixel[4], fold_0_unequal_74, fold_0_unequal_75, fold_0_unequal_76,
             fold_0_unequal_77, fold_0_unequal_78, fold_0_unequal_79, fold_0_unequal_80, fold_0_unequal_81,
-            fold_0_unequal_82, catch_read_tile[11] ^ catch_read_valid ^ catch_splat_ready
+            fold_0_unequal_82, fold_0_unequal_83, catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
@@ -278,7 +281,7 @@ module splat_pins (
             fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59], fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
             fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67], fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
             fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75], fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
-            fold_0[80] ^ fold_0[81] ^ fold_0[82]
+            fold_0[80] ^ fold_0[81] ^ fold_0[82] ^ fold_0[83]
         };
         fold_2 <= {
             fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],

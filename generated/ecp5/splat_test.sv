@@ -1,5 +1,5 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 85101 cycles of the bit-exact model at the ports of splat_top, in which 8609 items leave the core, and compares every output in every
+// Replays 125618 cycles of the bit-exact model at the ports of splat_top, in which 9738 items leave the core, and compares every output in every
 // cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
 // random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
 //
@@ -9,10 +9,10 @@
 module splat_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:66312];
-    reg [1434:0] vector = 0;
-    reg [1434:0] next = 0;
-    wire [1434:0] found;
+    reg [63:0] words [0:75374];
+    reg [1436:0] vector = 0;
+    reg [1436:0] next = 0;
+    wire [1436:0] found;
     reg changes;
     reg [6:0] changed;
     integer place = 0;
@@ -54,75 +54,77 @@ module splat_test;
         .splat_cardinal_0(vector[31] ? vector[473:458] : ~vector[473:458]),
         .read_valid(found[474]),
         .read_ready(vector[475]),
-        .read_tile(found[487:476]),
-        .read_pixel(found[493:488]),
-        .read_count(found[497:494]),
-        .data_valid(vector[498]),
-        .data_ready(found[499]),
-        .data_weight(vector[498] ? vector[527:500] : ~vector[527:500]),
-        .data_depth(vector[498] ? vector[579:528] : ~vector[579:528]),
-        .data_peak(vector[498] ? vector[595:580] : ~vector[595:580]),
-        .data_attribute_0(vector[498] ? vector[611:596] : ~vector[611:596]),
-        .data_attribute_1(vector[498] ? vector[627:612] : ~vector[627:612]),
-        .data_attribute_2(vector[498] ? vector[643:628] : ~vector[643:628]),
-        .data_attribute_3(vector[498] ? vector[659:644] : ~vector[659:644]),
-        .data_attribute_4(vector[498] ? vector[675:660] : ~vector[675:660]),
-        .data_attribute_5(vector[498] ? vector[691:676] : ~vector[691:676]),
-        .data_attribute_6(vector[498] ? vector[707:692] : ~vector[707:692]),
-        .data_attribute_7(vector[498] ? vector[723:708] : ~vector[723:708]),
-        .data_attribute_8(vector[498] ? vector[739:724] : ~vector[739:724]),
-        .data_attribute_9(vector[498] ? vector[755:740] : ~vector[755:740]),
-        .data_attribute_10(vector[498] ? vector[771:756] : ~vector[771:756]),
-        .data_attribute_11(vector[498] ? vector[787:772] : ~vector[787:772]),
-        .data_attribute_12(vector[498] ? vector[803:788] : ~vector[803:788]),
-        .data_cardinal_0(vector[498] ? vector[819:804] : ~vector[819:804]),
-        .write_valid(found[820]),
-        .write_ready(vector[821]),
-        .write_tile(found[833:822]),
-        .write_pixel(found[839:834]),
-        .write_weight(found[867:840]),
-        .write_depth(found[919:868]),
-        .write_peak(found[935:920]),
-        .write_attribute_0(found[951:936]),
-        .write_attribute_1(found[967:952]),
-        .write_attribute_2(found[983:968]),
-        .write_attribute_3(found[999:984]),
-        .write_attribute_4(found[1015:1000]),
-        .write_attribute_5(found[1031:1016]),
-        .write_attribute_6(found[1047:1032]),
-        .write_attribute_7(found[1063:1048]),
-        .write_attribute_8(found[1079:1064]),
-        .write_attribute_9(found[1095:1080]),
-        .write_attribute_10(found[1111:1096]),
-        .write_attribute_11(found[1127:1112]),
-        .write_attribute_12(found[1143:1128]),
-        .write_cardinal_0(found[1159:1144]),
-        .fragment_valid(found[1160]),
-        .fragment_ready(vector[1161]),
-        .fragment_end(found[1162]),
-        .fragment_column(found[1171:1163]),
-        .fragment_row(found[1180:1172]),
-        .fragment_depth(found[1204:1181]),
-        .fragment_attribute_0(found[1220:1205]),
-        .fragment_attribute_1(found[1236:1221]),
-        .fragment_attribute_2(found[1252:1237]),
-        .fragment_attribute_3(found[1268:1253]),
-        .fragment_attribute_4(found[1284:1269]),
-        .fragment_attribute_5(found[1300:1285]),
-        .fragment_attribute_6(found[1316:1301]),
-        .fragment_attribute_7(found[1332:1317]),
-        .fragment_attribute_8(found[1348:1333]),
-        .fragment_attribute_9(found[1364:1349]),
-        .fragment_attribute_10(found[1380:1365]),
-        .fragment_attribute_11(found[1396:1381]),
-        .fragment_attribute_12(found[1412:1397]),
-        .fragment_cardinal_0(found[1428:1413]),
-        .event_sample(found[1429]),
-        .event_starved(found[1430]),
-        .event_blocked(found[1431]),
-        .event_accumulate(found[1432]),
-        .event_hazard(found[1433]),
-        .event_slot_wait(found[1434])
+        .read_surface(found[476]),
+        .read_tile(found[488:477]),
+        .read_pixel(found[494:489]),
+        .read_count(found[498:495]),
+        .data_valid(vector[499]),
+        .data_ready(found[500]),
+        .data_weight(vector[499] ? vector[528:501] : ~vector[528:501]),
+        .data_depth(vector[499] ? vector[580:529] : ~vector[580:529]),
+        .data_peak(vector[499] ? vector[596:581] : ~vector[596:581]),
+        .data_attribute_0(vector[499] ? vector[612:597] : ~vector[612:597]),
+        .data_attribute_1(vector[499] ? vector[628:613] : ~vector[628:613]),
+        .data_attribute_2(vector[499] ? vector[644:629] : ~vector[644:629]),
+        .data_attribute_3(vector[499] ? vector[660:645] : ~vector[660:645]),
+        .data_attribute_4(vector[499] ? vector[676:661] : ~vector[676:661]),
+        .data_attribute_5(vector[499] ? vector[692:677] : ~vector[692:677]),
+        .data_attribute_6(vector[499] ? vector[708:693] : ~vector[708:693]),
+        .data_attribute_7(vector[499] ? vector[724:709] : ~vector[724:709]),
+        .data_attribute_8(vector[499] ? vector[740:725] : ~vector[740:725]),
+        .data_attribute_9(vector[499] ? vector[756:741] : ~vector[756:741]),
+        .data_attribute_10(vector[499] ? vector[772:757] : ~vector[772:757]),
+        .data_attribute_11(vector[499] ? vector[788:773] : ~vector[788:773]),
+        .data_attribute_12(vector[499] ? vector[804:789] : ~vector[804:789]),
+        .data_cardinal_0(vector[499] ? vector[820:805] : ~vector[820:805]),
+        .write_valid(found[821]),
+        .write_ready(vector[822]),
+        .write_surface(found[823]),
+        .write_tile(found[835:824]),
+        .write_pixel(found[841:836]),
+        .write_weight(found[869:842]),
+        .write_depth(found[921:870]),
+        .write_peak(found[937:922]),
+        .write_attribute_0(found[953:938]),
+        .write_attribute_1(found[969:954]),
+        .write_attribute_2(found[985:970]),
+        .write_attribute_3(found[1001:986]),
+        .write_attribute_4(found[1017:1002]),
+        .write_attribute_5(found[1033:1018]),
+        .write_attribute_6(found[1049:1034]),
+        .write_attribute_7(found[1065:1050]),
+        .write_attribute_8(found[1081:1066]),
+        .write_attribute_9(found[1097:1082]),
+        .write_attribute_10(found[1113:1098]),
+        .write_attribute_11(found[1129:1114]),
+        .write_attribute_12(found[1145:1130]),
+        .write_cardinal_0(found[1161:1146]),
+        .fragment_valid(found[1162]),
+        .fragment_ready(vector[1163]),
+        .fragment_end(found[1164]),
+        .fragment_column(found[1173:1165]),
+        .fragment_row(found[1182:1174]),
+        .fragment_depth(found[1206:1183]),
+        .fragment_attribute_0(found[1222:1207]),
+        .fragment_attribute_1(found[1238:1223]),
+        .fragment_attribute_2(found[1254:1239]),
+        .fragment_attribute_3(found[1270:1255]),
+        .fragment_attribute_4(found[1286:1271]),
+        .fragment_attribute_5(found[1302:1287]),
+        .fragment_attribute_6(found[1318:1303]),
+        .fragment_attribute_7(found[1334:1319]),
+        .fragment_attribute_8(found[1350:1335]),
+        .fragment_attribute_9(found[1366:1351]),
+        .fragment_attribute_10(found[1382:1367]),
+        .fragment_attribute_11(found[1398:1383]),
+        .fragment_attribute_12(found[1414:1399]),
+        .fragment_cardinal_0(found[1430:1415]),
+        .event_sample(found[1431]),
+        .event_starved(found[1432]),
+        .event_blocked(found[1433]),
+        .event_accumulate(found[1434]),
+        .event_hazard(found[1435]),
+        .event_slot_wait(found[1436])
     );
 
     always #5 clk = !clk;
@@ -147,13 +149,13 @@ module splat_test;
                 if (changes) take_bit(changed[i]);
                 else changed[i] = 1'b0;
             end
-            if (changed[0]) begin take(0, 1); take(1, 1); take(31, 1); take(32, 1); take(474, 1); take(475, 1); take(498, 1); take(499, 1); take(820, 1); take(821, 1); take(1160, 1); take(1161, 1); take(1429, 1); take(1430, 1); take(1431, 1); take(1432, 1); take(1433, 1); take(1434, 1); end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(31, 1); take(32, 1); take(474, 1); take(475, 1); take(499, 1); take(500, 1); take(821, 1); take(822, 1); take(1162, 1); take(1163, 1); take(1431, 1); take(1432, 1); take(1433, 1); take(1434, 1); take(1435, 1); take(1436, 1); end
             if (changed[1]) begin take(2, 5); take(7, 24); end
             if (changed[2]) begin take(33, 1); take(34, 24); take(58, 24); take(82, 24); take(106, 24); take(130, 24); take(154, 24); take(178, 24); take(202, 24); take(226, 24); take(250, 16); take(266, 16); take(282, 16); take(298, 16); take(314, 16); take(330, 16); take(346, 16); take(362, 16); take(378, 16); take(394, 16); take(410, 16); take(426, 16); take(442, 16); take(458, 16); end
-            if (changed[3]) begin take(476, 12); take(488, 6); take(494, 4); end
-            if (changed[4]) begin take(500, 28); take(528, 52); take(580, 16); take(596, 16); take(612, 16); take(628, 16); take(644, 16); take(660, 16); take(676, 16); take(692, 16); take(708, 16); take(724, 16); take(740, 16); take(756, 16); take(772, 16); take(788, 16); take(804, 16); end
-            if (changed[5]) begin take(822, 12); take(834, 6); take(840, 28); take(868, 52); take(920, 16); take(936, 16); take(952, 16); take(968, 16); take(984, 16); take(1000, 16); take(1016, 16); take(1032, 16); take(1048, 16); take(1064, 16); take(1080, 16); take(1096, 16); take(1112, 16); take(1128, 16); take(1144, 16); end
-            if (changed[6]) begin take(1162, 1); take(1163, 9); take(1172, 9); take(1181, 24); take(1205, 16); take(1221, 16); take(1237, 16); take(1253, 16); take(1269, 16); take(1285, 16); take(1301, 16); take(1317, 16); take(1333, 16); take(1349, 16); take(1365, 16); take(1381, 16); take(1397, 16); take(1413, 16); end
+            if (changed[3]) begin take(476, 1); take(477, 12); take(489, 6); take(495, 4); end
+            if (changed[4]) begin take(501, 28); take(529, 52); take(581, 16); take(597, 16); take(613, 16); take(629, 16); take(645, 16); take(661, 16); take(677, 16); take(693, 16); take(709, 16); take(725, 16); take(741, 16); take(757, 16); take(773, 16); take(789, 16); take(805, 16); end
+            if (changed[5]) begin take(823, 1); take(824, 12); take(836, 6); take(842, 28); take(870, 52); take(922, 16); take(938, 16); take(954, 16); take(970, 16); take(986, 16); take(1002, 16); take(1018, 16); take(1034, 16); take(1050, 16); take(1066, 16); take(1082, 16); take(1098, 16); take(1114, 16); take(1130, 16); take(1146, 16); end
+            if (changed[6]) begin take(1164, 1); take(1165, 9); take(1174, 9); take(1183, 24); take(1207, 16); take(1223, 16); take(1239, 16); take(1255, 16); take(1271, 16); take(1287, 16); take(1303, 16); take(1319, 16); take(1335, 16); take(1351, 16); take(1367, 16); take(1383, 16); take(1399, 16); take(1415, 16); end
             vector = next;
         end
     endtask
@@ -169,64 +171,66 @@ module splat_test;
         $readmemh("splat_test.hex", words);
         repeat (2) @(negedge clk);
         rst = 1'b0;
-        for (cycle = 0; cycle < 85101 && differences == 0; cycle = cycle + 1) begin
+        for (cycle = 0; cycle < 125618 && differences == 0; cycle = cycle + 1) begin
             advance;
             #4;
             if (found[32] !== vector[32]) differ("splat_ready");
             if (found[474] !== vector[474]) differ("read_valid");
-            if (vector[474] && found[487:476] !== vector[487:476]) differ("read_tile");
-            if (vector[474] && found[493:488] !== vector[493:488]) differ("read_pixel");
-            if (vector[474] && found[497:494] !== vector[497:494]) differ("read_count");
-            if (found[499] !== vector[499]) differ("data_ready");
-            if (found[820] !== vector[820]) differ("write_valid");
-            if (vector[820] && found[833:822] !== vector[833:822]) differ("write_tile");
-            if (vector[820] && found[839:834] !== vector[839:834]) differ("write_pixel");
-            if (vector[820] && found[867:840] !== vector[867:840]) differ("write_weight");
-            if (vector[820] && found[919:868] !== vector[919:868]) differ("write_depth");
-            if (vector[820] && found[935:920] !== vector[935:920]) differ("write_peak");
-            if (vector[820] && found[951:936] !== vector[951:936]) differ("write_attribute_0");
-            if (vector[820] && found[967:952] !== vector[967:952]) differ("write_attribute_1");
-            if (vector[820] && found[983:968] !== vector[983:968]) differ("write_attribute_2");
-            if (vector[820] && found[999:984] !== vector[999:984]) differ("write_attribute_3");
-            if (vector[820] && found[1015:1000] !== vector[1015:1000]) differ("write_attribute_4");
-            if (vector[820] && found[1031:1016] !== vector[1031:1016]) differ("write_attribute_5");
-            if (vector[820] && found[1047:1032] !== vector[1047:1032]) differ("write_attribute_6");
-            if (vector[820] && found[1063:1048] !== vector[1063:1048]) differ("write_attribute_7");
-            if (vector[820] && found[1079:1064] !== vector[1079:1064]) differ("write_attribute_8");
-            if (vector[820] && found[1095:1080] !== vector[1095:1080]) differ("write_attribute_9");
-            if (vector[820] && found[1111:1096] !== vector[1111:1096]) differ("write_attribute_10");
-            if (vector[820] && found[1127:1112] !== vector[1127:1112]) differ("write_attribute_11");
-            if (vector[820] && found[1143:1128] !== vector[1143:1128]) differ("write_attribute_12");
-            if (vector[820] && found[1159:1144] !== vector[1159:1144]) differ("write_cardinal_0");
-            if (found[1160] !== vector[1160]) differ("fragment_valid");
-            if (vector[1160] && found[1162] !== vector[1162]) differ("fragment_end");
-            if (vector[1160] && !vector[1162] && found[1171:1163] !== vector[1171:1163]) differ("fragment_column");
-            if (vector[1160] && !vector[1162] && found[1180:1172] !== vector[1180:1172]) differ("fragment_row");
-            if (vector[1160] && !vector[1162] && found[1204:1181] !== vector[1204:1181]) differ("fragment_depth");
-            if (vector[1160] && !vector[1162] && found[1220:1205] !== vector[1220:1205]) differ("fragment_attribute_0");
-            if (vector[1160] && !vector[1162] && found[1236:1221] !== vector[1236:1221]) differ("fragment_attribute_1");
-            if (vector[1160] && !vector[1162] && found[1252:1237] !== vector[1252:1237]) differ("fragment_attribute_2");
-            if (vector[1160] && !vector[1162] && found[1268:1253] !== vector[1268:1253]) differ("fragment_attribute_3");
-            if (vector[1160] && !vector[1162] && found[1284:1269] !== vector[1284:1269]) differ("fragment_attribute_4");
-            if (vector[1160] && !vector[1162] && found[1300:1285] !== vector[1300:1285]) differ("fragment_attribute_5");
-            if (vector[1160] && !vector[1162] && found[1316:1301] !== vector[1316:1301]) differ("fragment_attribute_6");
-            if (vector[1160] && !vector[1162] && found[1332:1317] !== vector[1332:1317]) differ("fragment_attribute_7");
-            if (vector[1160] && !vector[1162] && found[1348:1333] !== vector[1348:1333]) differ("fragment_attribute_8");
-            if (vector[1160] && !vector[1162] && found[1364:1349] !== vector[1364:1349]) differ("fragment_attribute_9");
-            if (vector[1160] && !vector[1162] && found[1380:1365] !== vector[1380:1365]) differ("fragment_attribute_10");
-            if (vector[1160] && !vector[1162] && found[1396:1381] !== vector[1396:1381]) differ("fragment_attribute_11");
-            if (vector[1160] && !vector[1162] && found[1412:1397] !== vector[1412:1397]) differ("fragment_attribute_12");
-            if (vector[1160] && !vector[1162] && found[1428:1413] !== vector[1428:1413]) differ("fragment_cardinal_0");
-            if (found[1429] !== vector[1429]) differ("event_sample");
-            if (found[1430] !== vector[1430]) differ("event_starved");
-            if (found[1431] !== vector[1431]) differ("event_blocked");
-            if (found[1432] !== vector[1432]) differ("event_accumulate");
-            if (found[1433] !== vector[1433]) differ("event_hazard");
-            if (found[1434] !== vector[1434]) differ("event_slot_wait");
+            if (vector[474] && found[476] !== vector[476]) differ("read_surface");
+            if (vector[474] && found[488:477] !== vector[488:477]) differ("read_tile");
+            if (vector[474] && found[494:489] !== vector[494:489]) differ("read_pixel");
+            if (vector[474] && found[498:495] !== vector[498:495]) differ("read_count");
+            if (found[500] !== vector[500]) differ("data_ready");
+            if (found[821] !== vector[821]) differ("write_valid");
+            if (vector[821] && found[823] !== vector[823]) differ("write_surface");
+            if (vector[821] && found[835:824] !== vector[835:824]) differ("write_tile");
+            if (vector[821] && found[841:836] !== vector[841:836]) differ("write_pixel");
+            if (vector[821] && found[869:842] !== vector[869:842]) differ("write_weight");
+            if (vector[821] && found[921:870] !== vector[921:870]) differ("write_depth");
+            if (vector[821] && found[937:922] !== vector[937:922]) differ("write_peak");
+            if (vector[821] && found[953:938] !== vector[953:938]) differ("write_attribute_0");
+            if (vector[821] && found[969:954] !== vector[969:954]) differ("write_attribute_1");
+            if (vector[821] && found[985:970] !== vector[985:970]) differ("write_attribute_2");
+            if (vector[821] && found[1001:986] !== vector[1001:986]) differ("write_attribute_3");
+            if (vector[821] && found[1017:1002] !== vector[1017:1002]) differ("write_attribute_4");
+            if (vector[821] && found[1033:1018] !== vector[1033:1018]) differ("write_attribute_5");
+            if (vector[821] && found[1049:1034] !== vector[1049:1034]) differ("write_attribute_6");
+            if (vector[821] && found[1065:1050] !== vector[1065:1050]) differ("write_attribute_7");
+            if (vector[821] && found[1081:1066] !== vector[1081:1066]) differ("write_attribute_8");
+            if (vector[821] && found[1097:1082] !== vector[1097:1082]) differ("write_attribute_9");
+            if (vector[821] && found[1113:1098] !== vector[1113:1098]) differ("write_attribute_10");
+            if (vector[821] && found[1129:1114] !== vector[1129:1114]) differ("write_attribute_11");
+            if (vector[821] && found[1145:1130] !== vector[1145:1130]) differ("write_attribute_12");
+            if (vector[821] && found[1161:1146] !== vector[1161:1146]) differ("write_cardinal_0");
+            if (found[1162] !== vector[1162]) differ("fragment_valid");
+            if (vector[1162] && found[1164] !== vector[1164]) differ("fragment_end");
+            if (vector[1162] && !vector[1164] && found[1173:1165] !== vector[1173:1165]) differ("fragment_column");
+            if (vector[1162] && !vector[1164] && found[1182:1174] !== vector[1182:1174]) differ("fragment_row");
+            if (vector[1162] && !vector[1164] && found[1206:1183] !== vector[1206:1183]) differ("fragment_depth");
+            if (vector[1162] && !vector[1164] && found[1222:1207] !== vector[1222:1207]) differ("fragment_attribute_0");
+            if (vector[1162] && !vector[1164] && found[1238:1223] !== vector[1238:1223]) differ("fragment_attribute_1");
+            if (vector[1162] && !vector[1164] && found[1254:1239] !== vector[1254:1239]) differ("fragment_attribute_2");
+            if (vector[1162] && !vector[1164] && found[1270:1255] !== vector[1270:1255]) differ("fragment_attribute_3");
+            if (vector[1162] && !vector[1164] && found[1286:1271] !== vector[1286:1271]) differ("fragment_attribute_4");
+            if (vector[1162] && !vector[1164] && found[1302:1287] !== vector[1302:1287]) differ("fragment_attribute_5");
+            if (vector[1162] && !vector[1164] && found[1318:1303] !== vector[1318:1303]) differ("fragment_attribute_6");
+            if (vector[1162] && !vector[1164] && found[1334:1319] !== vector[1334:1319]) differ("fragment_attribute_7");
+            if (vector[1162] && !vector[1164] && found[1350:1335] !== vector[1350:1335]) differ("fragment_attribute_8");
+            if (vector[1162] && !vector[1164] && found[1366:1351] !== vector[1366:1351]) differ("fragment_attribute_9");
+            if (vector[1162] && !vector[1164] && found[1382:1367] !== vector[1382:1367]) differ("fragment_attribute_10");
+            if (vector[1162] && !vector[1164] && found[1398:1383] !== vector[1398:1383]) differ("fragment_attribute_11");
+            if (vector[1162] && !vector[1164] && found[1414:1399] !== vector[1414:1399]) differ("fragment_attribute_12");
+            if (vector[1162] && !vector[1164] && found[1430:1415] !== vector[1430:1415]) differ("fragment_cardinal_0");
+            if (found[1431] !== vector[1431]) differ("event_sample");
+            if (found[1432] !== vector[1432]) differ("event_starved");
+            if (found[1433] !== vector[1433]) differ("event_blocked");
+            if (found[1434] !== vector[1434]) differ("event_accumulate");
+            if (found[1435] !== vector[1435]) differ("event_hazard");
+            if (found[1436] !== vector[1436]) differ("event_slot_wait");
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 85101 cycles, 8609 items, every output as the model's");
+        $display("PASSED: 125618 cycles, 9738 items, every output as the model's");
         $finish;
     end
 endmodule

@@ -17,7 +17,7 @@ module splat_pins (
     reg [15:0] drive_splat_attribute_4, drive_splat_attribute_5, drive_splat_attribute_6, drive_splat_attribute_7;
     reg [15:0] drive_splat_attribute_8, drive_splat_attribute_9, drive_splat_attribute_10, drive_splat_attribute_11;
     reg [15:0] drive_splat_attribute_12, drive_splat_cardinal_0;
-    reg catch_read_valid, drive_read_ready;
+    reg catch_read_valid, drive_read_ready, catch_read_surface;
     reg [11:0] catch_read_tile;
     reg [5:0] catch_read_pixel;
     reg [3:0] catch_read_count;
@@ -28,7 +28,7 @@ module splat_pins (
     reg [15:0] drive_data_attribute_3, drive_data_attribute_4, drive_data_attribute_5, drive_data_attribute_6;
     reg [15:0] drive_data_attribute_7, drive_data_attribute_8, drive_data_attribute_9, drive_data_attribute_10;
     reg [15:0] drive_data_attribute_11, drive_data_attribute_12, drive_data_cardinal_0;
-    reg catch_write_valid, drive_write_ready;
+    reg catch_write_valid, drive_write_ready, catch_write_surface;
     reg [11:0] catch_write_tile;
     reg [5:0] catch_write_pixel;
     reg [27:0] catch_write_weight;
@@ -47,17 +47,17 @@ module splat_pins (
     reg [15:0] catch_fragment_attribute_12, catch_fragment_cardinal_0;
     reg catch_event_sample, catch_event_starved, catch_event_blocked, catch_event_accumulate;
     reg catch_event_hazard, catch_event_slot_wait;
-    reg [161:0] fold_0;
+    reg [162:0] fold_0;
     reg [40:0] fold_1;
     reg [10:0] fold_2;
     reg [2:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready, unit_read_valid;
+    wire unit_splat_ready, unit_read_valid, unit_read_surface;
     wire [11:0] unit_read_tile;
     wire [5:0] unit_read_pixel;
     wire [3:0] unit_read_count;
-    wire unit_data_ready, unit_write_valid;
+    wire unit_data_ready, unit_write_valid, unit_write_surface;
     wire [11:0] unit_write_tile;
     wire [5:0] unit_write_pixel;
     wire [27:0] unit_write_weight;
@@ -235,12 +235,13 @@ module splat_pins (
     wire fold_0_unequal_156 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1] ^ catch_write_tile[2];
     wire fold_0_unequal_157 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5] ^ catch_write_tile[6];
     wire fold_0_unequal_158 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9] ^ catch_write_tile[10];
-    wire fold_0_unequal_159 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready ^ catch_read_count[0];
-    wire fold_0_unequal_160 = catch_read_count[1] ^ catch_read_count[2] ^ catch_read_count[3] ^ catch_read_pixel[0];
-    wire fold_0_unequal_161 = catch_read_pixel[1] ^ catch_read_pixel[2] ^ catch_read_pixel[3] ^ catch_read_pixel[4];
-    wire fold_0_unequal_162 = catch_read_pixel[5] ^ catch_read_tile[0] ^ catch_read_tile[1] ^ catch_read_tile[2];
-    wire fold_0_unequal_163 = catch_read_tile[3] ^ catch_read_tile[4] ^ catch_read_tile[5] ^ catch_read_tile[6];
-    wire fold_0_unequal_164 = catch_read_tile[7] ^ catch_read_tile[8] ^ catch_read_tile[9] ^ catch_read_tile[10];
+    wire fold_0_unequal_159 = catch_write_tile[11] ^ catch_write_surface ^ catch_write_valid ^ catch_data_ready;
+    wire fold_0_unequal_160 = catch_read_count[0] ^ catch_read_count[1] ^ catch_read_count[2] ^ catch_read_count[3];
+    wire fold_0_unequal_161 = catch_read_pixel[0] ^ catch_read_pixel[1] ^ catch_read_pixel[2] ^ catch_read_pixel[3];
+    wire fold_0_unequal_162 = catch_read_pixel[4] ^ catch_read_pixel[5] ^ catch_read_tile[0] ^ catch_read_tile[1];
+    wire fold_0_unequal_163 = catch_read_tile[2] ^ catch_read_tile[3] ^ catch_read_tile[4] ^ catch_read_tile[5];
+    wire fold_0_unequal_164 = catch_read_tile[6] ^ catch_read_tile[7] ^ catch_read_tile[8] ^ catch_read_tile[9];
+    wire fold_0_unequal_165 = catch_read_tile[10] ^ catch_read_tile[11] ^ catch_read_surface ^ catch_read_valid;
 
     assign serial_out = fold_4;
 
@@ -260,8 +261,8 @@ module splat_pins (
         .splat_attribute_9(drive_splat_attribute_9), .splat_attribute_10(drive_splat_attribute_10),
         .splat_attribute_11(drive_splat_attribute_11), .splat_attribute_12(drive_splat_attribute_12),
         .splat_cardinal_0(drive_splat_cardinal_0),
-        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_tile(unit_read_tile),
-        .read_pixel(unit_read_pixel), .read_count(unit_read_count),
+        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_surface(unit_read_surface),
+        .read_tile(unit_read_tile), .read_pixel(unit_read_pixel), .read_count(unit_read_count),
         .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
         .data_depth(drive_data_depth), .data_peak(drive_data_peak), .data_attribute_0(drive_data_attribute_0),
         .data_attribute_1(drive_data_attribute_1), .data_attribute_2(drive_data_attribute_2),
@@ -271,16 +272,16 @@ module splat_pins (
         .data_attribute_9(drive_data_attribute_9), .data_attribute_10(drive_data_attribute_10),
         .data_attribute_11(drive_data_attribute_11), .data_attribute_12(drive_data_attribute_12),
         .data_cardinal_0(drive_data_cardinal_0),
-        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_tile(unit_write_tile),
-        .write_pixel(unit_write_pixel), .write_weight(unit_write_weight), .write_depth(unit_write_depth),
-        .write_peak(unit_write_peak), .write_attribute_0(unit_write_attribute_0),
-        .write_attribute_1(unit_write_attribute_1), .write_attribute_2(unit_write_attribute_2),
-        .write_attribute_3(unit_write_attribute_3), .write_attribute_4(unit_write_attribute_4),
-        .write_attribute_5(unit_write_attribute_5), .write_attribute_6(unit_write_attribute_6),
-        .write_attribute_7(unit_write_attribute_7), .write_attribute_8(unit_write_attribute_8),
-        .write_attribute_9(unit_write_attribute_9), .write_attribute_10(unit_write_attribute_10),
-        .write_attribute_11(unit_write_attribute_11), .write_attribute_12(unit_write_attribute_12),
-        .write_cardinal_0(unit_write_cardinal_0),
+        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_surface(unit_write_surface),
+        .write_tile(unit_write_tile), .write_pixel(unit_write_pixel), .write_weight(unit_write_weight),
+        .write_depth(unit_write_depth), .write_peak(unit_write_peak),
+        .write_attribute_0(unit_write_attribute_0), .write_attribute_1(unit_write_attribute_1),
+        .write_attribute_2(unit_write_attribute_2), .write_attribute_3(unit_write_attribute_3),
+        .write_attribute_4(unit_write_attribute_4), .write_attribute_5(unit_write_attribute_5),
+        .write_attribute_6(unit_write_attribute_6), .write_attribute_7(unit_write_attribute_7),
+        .write_attribute_8(unit_write_attribute_8), .write_attribute_9(unit_write_attribute_9),
+        .write_attribute_10(unit_write_attribute_10), .write_attribute_11(unit_write_attribute_11),
+        .write_attribute_12(unit_write_attribute_12), .write_cardinal_0(unit_write_cardinal_0),
         .fragment_valid(unit_fragment_valid), .fragment_ready(drive_fragment_ready),
         .fragment_end(unit_fragment_end), .fragment_column(unit_fragment_column),
         .fragment_row(unit_fragment_row), .fragment_depth(unit_fragment_depth),
@@ -329,6 +330,7 @@ module splat_pins (
         drive_splat_cardinal_0 <= {drive_splat_cardinal_0[14:0], drive_splat_attribute_12[15]};
         catch_read_valid <= unit_read_valid;
         drive_read_ready <= drive_splat_cardinal_0[15];
+        catch_read_surface <= unit_read_surface;
         catch_read_tile <= unit_read_tile;
         catch_read_pixel <= unit_read_pixel;
         catch_read_count <= unit_read_count;
@@ -353,6 +355,7 @@ module splat_pins (
         drive_data_cardinal_0 <= {drive_data_cardinal_0[14:0], drive_data_attribute_12[15]};
         catch_write_valid <= unit_write_valid;
         drive_write_ready <= drive_data_cardinal_0[15];
+        catch_write_surface <= unit_write_surface;
         catch_write_tile <= unit_write_tile;
         catch_write_pixel <= unit_write_pixel;
         catch_write_weight <= unit_write_weight;
@@ -478,7 +481,7 @@ module splat_pins (
             fold_0_unequal_153 ^ catch_write_weight[24], fold_0_unequal_154 ^ catch_write_pixel[0],
             fold_0_unequal_155 ^ catch_write_pixel[4], fold_0_unequal_156, fold_0_unequal_157, fold_0_unequal_158,
             fold_0_unequal_159, fold_0_unequal_160, fold_0_unequal_161, fold_0_unequal_162, fold_0_unequal_163,
-            fold_0_unequal_164, catch_read_tile[11] ^ catch_read_valid ^ catch_splat_ready
+            fold_0_unequal_164, fold_0_unequal_165, catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
@@ -508,7 +511,7 @@ module splat_pins (
             fold_0[144] ^ fold_0[145] ^ fold_0[146] ^ fold_0[147],
             fold_0[148] ^ fold_0[149] ^ fold_0[150] ^ fold_0[151],
             fold_0[152] ^ fold_0[153] ^ fold_0[154] ^ fold_0[155],
-            fold_0[156] ^ fold_0[157] ^ fold_0[158] ^ fold_0[159], fold_0[160] ^ fold_0[161]
+            fold_0[156] ^ fold_0[157] ^ fold_0[158] ^ fold_0[159], fold_0[160] ^ fold_0[161] ^ fold_0[162]
         };
         fold_2 <= {
             fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],

@@ -1,5 +1,5 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 121208 cycles of the bit-exact model at the ports of splat_top, in which 10532 items leave the core, and compares every output in every
+// Replays 149701 cycles of the bit-exact model at the ports of splat_top, in which 11645 items leave the core, and compares every output in every
 // cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
 // random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
 //
@@ -9,10 +9,10 @@
 module splat_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:107495];
-    reg [1522:0] vector = 0;
-    reg [1522:0] next = 0;
-    wire [1522:0] found;
+    reg [63:0] words [0:112392];
+    reg [1524:0] vector = 0;
+    reg [1524:0] next = 0;
+    wire [1524:0] found;
     reg changes;
     reg [6:0] changed;
     integer place = 0;
@@ -54,75 +54,77 @@ module splat_test;
         .splat_cardinal_0(vector[39] ? vector[553:538] : ~vector[553:538]),
         .read_valid(found[554]),
         .read_ready(vector[555]),
-        .read_tile(found[567:556]),
-        .read_pixel(found[573:568]),
-        .read_count(found[577:574]),
-        .data_valid(vector[578]),
-        .data_ready(found[579]),
-        .data_weight(vector[578] ? vector[607:580] : ~vector[607:580]),
-        .data_depth(vector[578] ? vector[659:608] : ~vector[659:608]),
-        .data_peak(vector[578] ? vector[675:660] : ~vector[675:660]),
-        .data_attribute_0(vector[578] ? vector[691:676] : ~vector[691:676]),
-        .data_attribute_1(vector[578] ? vector[707:692] : ~vector[707:692]),
-        .data_attribute_2(vector[578] ? vector[723:708] : ~vector[723:708]),
-        .data_attribute_3(vector[578] ? vector[739:724] : ~vector[739:724]),
-        .data_attribute_4(vector[578] ? vector[755:740] : ~vector[755:740]),
-        .data_attribute_5(vector[578] ? vector[771:756] : ~vector[771:756]),
-        .data_attribute_6(vector[578] ? vector[787:772] : ~vector[787:772]),
-        .data_attribute_7(vector[578] ? vector[803:788] : ~vector[803:788]),
-        .data_attribute_8(vector[578] ? vector[819:804] : ~vector[819:804]),
-        .data_attribute_9(vector[578] ? vector[835:820] : ~vector[835:820]),
-        .data_attribute_10(vector[578] ? vector[851:836] : ~vector[851:836]),
-        .data_attribute_11(vector[578] ? vector[867:852] : ~vector[867:852]),
-        .data_attribute_12(vector[578] ? vector[883:868] : ~vector[883:868]),
-        .data_cardinal_0(vector[578] ? vector[899:884] : ~vector[899:884]),
-        .write_valid(found[900]),
-        .write_ready(vector[901]),
-        .write_tile(found[913:902]),
-        .write_pixel(found[919:914]),
-        .write_weight(found[947:920]),
-        .write_depth(found[999:948]),
-        .write_peak(found[1015:1000]),
-        .write_attribute_0(found[1031:1016]),
-        .write_attribute_1(found[1047:1032]),
-        .write_attribute_2(found[1063:1048]),
-        .write_attribute_3(found[1079:1064]),
-        .write_attribute_4(found[1095:1080]),
-        .write_attribute_5(found[1111:1096]),
-        .write_attribute_6(found[1127:1112]),
-        .write_attribute_7(found[1143:1128]),
-        .write_attribute_8(found[1159:1144]),
-        .write_attribute_9(found[1175:1160]),
-        .write_attribute_10(found[1191:1176]),
-        .write_attribute_11(found[1207:1192]),
-        .write_attribute_12(found[1223:1208]),
-        .write_cardinal_0(found[1239:1224]),
-        .fragment_valid(found[1240]),
-        .fragment_ready(vector[1241]),
-        .fragment_end(found[1242]),
-        .fragment_column(found[1251:1243]),
-        .fragment_row(found[1260:1252]),
-        .fragment_depth(found[1292:1261]),
-        .fragment_attribute_0(found[1308:1293]),
-        .fragment_attribute_1(found[1324:1309]),
-        .fragment_attribute_2(found[1340:1325]),
-        .fragment_attribute_3(found[1356:1341]),
-        .fragment_attribute_4(found[1372:1357]),
-        .fragment_attribute_5(found[1388:1373]),
-        .fragment_attribute_6(found[1404:1389]),
-        .fragment_attribute_7(found[1420:1405]),
-        .fragment_attribute_8(found[1436:1421]),
-        .fragment_attribute_9(found[1452:1437]),
-        .fragment_attribute_10(found[1468:1453]),
-        .fragment_attribute_11(found[1484:1469]),
-        .fragment_attribute_12(found[1500:1485]),
-        .fragment_cardinal_0(found[1516:1501]),
-        .event_sample(found[1517]),
-        .event_starved(found[1518]),
-        .event_blocked(found[1519]),
-        .event_accumulate(found[1520]),
-        .event_hazard(found[1521]),
-        .event_slot_wait(found[1522])
+        .read_surface(found[556]),
+        .read_tile(found[568:557]),
+        .read_pixel(found[574:569]),
+        .read_count(found[578:575]),
+        .data_valid(vector[579]),
+        .data_ready(found[580]),
+        .data_weight(vector[579] ? vector[608:581] : ~vector[608:581]),
+        .data_depth(vector[579] ? vector[660:609] : ~vector[660:609]),
+        .data_peak(vector[579] ? vector[676:661] : ~vector[676:661]),
+        .data_attribute_0(vector[579] ? vector[692:677] : ~vector[692:677]),
+        .data_attribute_1(vector[579] ? vector[708:693] : ~vector[708:693]),
+        .data_attribute_2(vector[579] ? vector[724:709] : ~vector[724:709]),
+        .data_attribute_3(vector[579] ? vector[740:725] : ~vector[740:725]),
+        .data_attribute_4(vector[579] ? vector[756:741] : ~vector[756:741]),
+        .data_attribute_5(vector[579] ? vector[772:757] : ~vector[772:757]),
+        .data_attribute_6(vector[579] ? vector[788:773] : ~vector[788:773]),
+        .data_attribute_7(vector[579] ? vector[804:789] : ~vector[804:789]),
+        .data_attribute_8(vector[579] ? vector[820:805] : ~vector[820:805]),
+        .data_attribute_9(vector[579] ? vector[836:821] : ~vector[836:821]),
+        .data_attribute_10(vector[579] ? vector[852:837] : ~vector[852:837]),
+        .data_attribute_11(vector[579] ? vector[868:853] : ~vector[868:853]),
+        .data_attribute_12(vector[579] ? vector[884:869] : ~vector[884:869]),
+        .data_cardinal_0(vector[579] ? vector[900:885] : ~vector[900:885]),
+        .write_valid(found[901]),
+        .write_ready(vector[902]),
+        .write_surface(found[903]),
+        .write_tile(found[915:904]),
+        .write_pixel(found[921:916]),
+        .write_weight(found[949:922]),
+        .write_depth(found[1001:950]),
+        .write_peak(found[1017:1002]),
+        .write_attribute_0(found[1033:1018]),
+        .write_attribute_1(found[1049:1034]),
+        .write_attribute_2(found[1065:1050]),
+        .write_attribute_3(found[1081:1066]),
+        .write_attribute_4(found[1097:1082]),
+        .write_attribute_5(found[1113:1098]),
+        .write_attribute_6(found[1129:1114]),
+        .write_attribute_7(found[1145:1130]),
+        .write_attribute_8(found[1161:1146]),
+        .write_attribute_9(found[1177:1162]),
+        .write_attribute_10(found[1193:1178]),
+        .write_attribute_11(found[1209:1194]),
+        .write_attribute_12(found[1225:1210]),
+        .write_cardinal_0(found[1241:1226]),
+        .fragment_valid(found[1242]),
+        .fragment_ready(vector[1243]),
+        .fragment_end(found[1244]),
+        .fragment_column(found[1253:1245]),
+        .fragment_row(found[1262:1254]),
+        .fragment_depth(found[1294:1263]),
+        .fragment_attribute_0(found[1310:1295]),
+        .fragment_attribute_1(found[1326:1311]),
+        .fragment_attribute_2(found[1342:1327]),
+        .fragment_attribute_3(found[1358:1343]),
+        .fragment_attribute_4(found[1374:1359]),
+        .fragment_attribute_5(found[1390:1375]),
+        .fragment_attribute_6(found[1406:1391]),
+        .fragment_attribute_7(found[1422:1407]),
+        .fragment_attribute_8(found[1438:1423]),
+        .fragment_attribute_9(found[1454:1439]),
+        .fragment_attribute_10(found[1470:1455]),
+        .fragment_attribute_11(found[1486:1471]),
+        .fragment_attribute_12(found[1502:1487]),
+        .fragment_cardinal_0(found[1518:1503]),
+        .event_sample(found[1519]),
+        .event_starved(found[1520]),
+        .event_blocked(found[1521]),
+        .event_accumulate(found[1522]),
+        .event_hazard(found[1523]),
+        .event_slot_wait(found[1524])
     );
 
     always #5 clk = !clk;
@@ -147,13 +149,13 @@ module splat_test;
                 if (changes) take_bit(changed[i]);
                 else changed[i] = 1'b0;
             end
-            if (changed[0]) begin take(0, 1); take(1, 1); take(39, 1); take(40, 1); take(554, 1); take(555, 1); take(578, 1); take(579, 1); take(900, 1); take(901, 1); take(1240, 1); take(1241, 1); take(1517, 1); take(1518, 1); take(1519, 1); take(1520, 1); take(1521, 1); take(1522, 1); end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(39, 1); take(40, 1); take(554, 1); take(555, 1); take(579, 1); take(580, 1); take(901, 1); take(902, 1); take(1242, 1); take(1243, 1); take(1519, 1); take(1520, 1); take(1521, 1); take(1522, 1); take(1523, 1); take(1524, 1); end
             if (changed[1]) begin take(2, 5); take(7, 32); end
             if (changed[2]) begin take(41, 1); take(42, 32); take(74, 32); take(106, 32); take(138, 32); take(170, 32); take(202, 32); take(234, 32); take(266, 32); take(298, 32); take(330, 16); take(346, 16); take(362, 16); take(378, 16); take(394, 16); take(410, 16); take(426, 16); take(442, 16); take(458, 16); take(474, 16); take(490, 16); take(506, 16); take(522, 16); take(538, 16); end
-            if (changed[3]) begin take(556, 12); take(568, 6); take(574, 4); end
-            if (changed[4]) begin take(580, 28); take(608, 52); take(660, 16); take(676, 16); take(692, 16); take(708, 16); take(724, 16); take(740, 16); take(756, 16); take(772, 16); take(788, 16); take(804, 16); take(820, 16); take(836, 16); take(852, 16); take(868, 16); take(884, 16); end
-            if (changed[5]) begin take(902, 12); take(914, 6); take(920, 28); take(948, 52); take(1000, 16); take(1016, 16); take(1032, 16); take(1048, 16); take(1064, 16); take(1080, 16); take(1096, 16); take(1112, 16); take(1128, 16); take(1144, 16); take(1160, 16); take(1176, 16); take(1192, 16); take(1208, 16); take(1224, 16); end
-            if (changed[6]) begin take(1242, 1); take(1243, 9); take(1252, 9); take(1261, 32); take(1293, 16); take(1309, 16); take(1325, 16); take(1341, 16); take(1357, 16); take(1373, 16); take(1389, 16); take(1405, 16); take(1421, 16); take(1437, 16); take(1453, 16); take(1469, 16); take(1485, 16); take(1501, 16); end
+            if (changed[3]) begin take(556, 1); take(557, 12); take(569, 6); take(575, 4); end
+            if (changed[4]) begin take(581, 28); take(609, 52); take(661, 16); take(677, 16); take(693, 16); take(709, 16); take(725, 16); take(741, 16); take(757, 16); take(773, 16); take(789, 16); take(805, 16); take(821, 16); take(837, 16); take(853, 16); take(869, 16); take(885, 16); end
+            if (changed[5]) begin take(903, 1); take(904, 12); take(916, 6); take(922, 28); take(950, 52); take(1002, 16); take(1018, 16); take(1034, 16); take(1050, 16); take(1066, 16); take(1082, 16); take(1098, 16); take(1114, 16); take(1130, 16); take(1146, 16); take(1162, 16); take(1178, 16); take(1194, 16); take(1210, 16); take(1226, 16); end
+            if (changed[6]) begin take(1244, 1); take(1245, 9); take(1254, 9); take(1263, 32); take(1295, 16); take(1311, 16); take(1327, 16); take(1343, 16); take(1359, 16); take(1375, 16); take(1391, 16); take(1407, 16); take(1423, 16); take(1439, 16); take(1455, 16); take(1471, 16); take(1487, 16); take(1503, 16); end
             vector = next;
         end
     endtask
@@ -169,64 +171,66 @@ module splat_test;
         $readmemh("splat_test.hex", words);
         repeat (2) @(negedge clk);
         rst = 1'b0;
-        for (cycle = 0; cycle < 121208 && differences == 0; cycle = cycle + 1) begin
+        for (cycle = 0; cycle < 149701 && differences == 0; cycle = cycle + 1) begin
             advance;
             #4;
             if (found[40] !== vector[40]) differ("splat_ready");
             if (found[554] !== vector[554]) differ("read_valid");
-            if (vector[554] && found[567:556] !== vector[567:556]) differ("read_tile");
-            if (vector[554] && found[573:568] !== vector[573:568]) differ("read_pixel");
-            if (vector[554] && found[577:574] !== vector[577:574]) differ("read_count");
-            if (found[579] !== vector[579]) differ("data_ready");
-            if (found[900] !== vector[900]) differ("write_valid");
-            if (vector[900] && found[913:902] !== vector[913:902]) differ("write_tile");
-            if (vector[900] && found[919:914] !== vector[919:914]) differ("write_pixel");
-            if (vector[900] && found[947:920] !== vector[947:920]) differ("write_weight");
-            if (vector[900] && found[999:948] !== vector[999:948]) differ("write_depth");
-            if (vector[900] && found[1015:1000] !== vector[1015:1000]) differ("write_peak");
-            if (vector[900] && found[1031:1016] !== vector[1031:1016]) differ("write_attribute_0");
-            if (vector[900] && found[1047:1032] !== vector[1047:1032]) differ("write_attribute_1");
-            if (vector[900] && found[1063:1048] !== vector[1063:1048]) differ("write_attribute_2");
-            if (vector[900] && found[1079:1064] !== vector[1079:1064]) differ("write_attribute_3");
-            if (vector[900] && found[1095:1080] !== vector[1095:1080]) differ("write_attribute_4");
-            if (vector[900] && found[1111:1096] !== vector[1111:1096]) differ("write_attribute_5");
-            if (vector[900] && found[1127:1112] !== vector[1127:1112]) differ("write_attribute_6");
-            if (vector[900] && found[1143:1128] !== vector[1143:1128]) differ("write_attribute_7");
-            if (vector[900] && found[1159:1144] !== vector[1159:1144]) differ("write_attribute_8");
-            if (vector[900] && found[1175:1160] !== vector[1175:1160]) differ("write_attribute_9");
-            if (vector[900] && found[1191:1176] !== vector[1191:1176]) differ("write_attribute_10");
-            if (vector[900] && found[1207:1192] !== vector[1207:1192]) differ("write_attribute_11");
-            if (vector[900] && found[1223:1208] !== vector[1223:1208]) differ("write_attribute_12");
-            if (vector[900] && found[1239:1224] !== vector[1239:1224]) differ("write_cardinal_0");
-            if (found[1240] !== vector[1240]) differ("fragment_valid");
-            if (vector[1240] && found[1242] !== vector[1242]) differ("fragment_end");
-            if (vector[1240] && !vector[1242] && found[1251:1243] !== vector[1251:1243]) differ("fragment_column");
-            if (vector[1240] && !vector[1242] && found[1260:1252] !== vector[1260:1252]) differ("fragment_row");
-            if (vector[1240] && !vector[1242] && found[1292:1261] !== vector[1292:1261]) differ("fragment_depth");
-            if (vector[1240] && !vector[1242] && found[1308:1293] !== vector[1308:1293]) differ("fragment_attribute_0");
-            if (vector[1240] && !vector[1242] && found[1324:1309] !== vector[1324:1309]) differ("fragment_attribute_1");
-            if (vector[1240] && !vector[1242] && found[1340:1325] !== vector[1340:1325]) differ("fragment_attribute_2");
-            if (vector[1240] && !vector[1242] && found[1356:1341] !== vector[1356:1341]) differ("fragment_attribute_3");
-            if (vector[1240] && !vector[1242] && found[1372:1357] !== vector[1372:1357]) differ("fragment_attribute_4");
-            if (vector[1240] && !vector[1242] && found[1388:1373] !== vector[1388:1373]) differ("fragment_attribute_5");
-            if (vector[1240] && !vector[1242] && found[1404:1389] !== vector[1404:1389]) differ("fragment_attribute_6");
-            if (vector[1240] && !vector[1242] && found[1420:1405] !== vector[1420:1405]) differ("fragment_attribute_7");
-            if (vector[1240] && !vector[1242] && found[1436:1421] !== vector[1436:1421]) differ("fragment_attribute_8");
-            if (vector[1240] && !vector[1242] && found[1452:1437] !== vector[1452:1437]) differ("fragment_attribute_9");
-            if (vector[1240] && !vector[1242] && found[1468:1453] !== vector[1468:1453]) differ("fragment_attribute_10");
-            if (vector[1240] && !vector[1242] && found[1484:1469] !== vector[1484:1469]) differ("fragment_attribute_11");
-            if (vector[1240] && !vector[1242] && found[1500:1485] !== vector[1500:1485]) differ("fragment_attribute_12");
-            if (vector[1240] && !vector[1242] && found[1516:1501] !== vector[1516:1501]) differ("fragment_cardinal_0");
-            if (found[1517] !== vector[1517]) differ("event_sample");
-            if (found[1518] !== vector[1518]) differ("event_starved");
-            if (found[1519] !== vector[1519]) differ("event_blocked");
-            if (found[1520] !== vector[1520]) differ("event_accumulate");
-            if (found[1521] !== vector[1521]) differ("event_hazard");
-            if (found[1522] !== vector[1522]) differ("event_slot_wait");
+            if (vector[554] && found[556] !== vector[556]) differ("read_surface");
+            if (vector[554] && found[568:557] !== vector[568:557]) differ("read_tile");
+            if (vector[554] && found[574:569] !== vector[574:569]) differ("read_pixel");
+            if (vector[554] && found[578:575] !== vector[578:575]) differ("read_count");
+            if (found[580] !== vector[580]) differ("data_ready");
+            if (found[901] !== vector[901]) differ("write_valid");
+            if (vector[901] && found[903] !== vector[903]) differ("write_surface");
+            if (vector[901] && found[915:904] !== vector[915:904]) differ("write_tile");
+            if (vector[901] && found[921:916] !== vector[921:916]) differ("write_pixel");
+            if (vector[901] && found[949:922] !== vector[949:922]) differ("write_weight");
+            if (vector[901] && found[1001:950] !== vector[1001:950]) differ("write_depth");
+            if (vector[901] && found[1017:1002] !== vector[1017:1002]) differ("write_peak");
+            if (vector[901] && found[1033:1018] !== vector[1033:1018]) differ("write_attribute_0");
+            if (vector[901] && found[1049:1034] !== vector[1049:1034]) differ("write_attribute_1");
+            if (vector[901] && found[1065:1050] !== vector[1065:1050]) differ("write_attribute_2");
+            if (vector[901] && found[1081:1066] !== vector[1081:1066]) differ("write_attribute_3");
+            if (vector[901] && found[1097:1082] !== vector[1097:1082]) differ("write_attribute_4");
+            if (vector[901] && found[1113:1098] !== vector[1113:1098]) differ("write_attribute_5");
+            if (vector[901] && found[1129:1114] !== vector[1129:1114]) differ("write_attribute_6");
+            if (vector[901] && found[1145:1130] !== vector[1145:1130]) differ("write_attribute_7");
+            if (vector[901] && found[1161:1146] !== vector[1161:1146]) differ("write_attribute_8");
+            if (vector[901] && found[1177:1162] !== vector[1177:1162]) differ("write_attribute_9");
+            if (vector[901] && found[1193:1178] !== vector[1193:1178]) differ("write_attribute_10");
+            if (vector[901] && found[1209:1194] !== vector[1209:1194]) differ("write_attribute_11");
+            if (vector[901] && found[1225:1210] !== vector[1225:1210]) differ("write_attribute_12");
+            if (vector[901] && found[1241:1226] !== vector[1241:1226]) differ("write_cardinal_0");
+            if (found[1242] !== vector[1242]) differ("fragment_valid");
+            if (vector[1242] && found[1244] !== vector[1244]) differ("fragment_end");
+            if (vector[1242] && !vector[1244] && found[1253:1245] !== vector[1253:1245]) differ("fragment_column");
+            if (vector[1242] && !vector[1244] && found[1262:1254] !== vector[1262:1254]) differ("fragment_row");
+            if (vector[1242] && !vector[1244] && found[1294:1263] !== vector[1294:1263]) differ("fragment_depth");
+            if (vector[1242] && !vector[1244] && found[1310:1295] !== vector[1310:1295]) differ("fragment_attribute_0");
+            if (vector[1242] && !vector[1244] && found[1326:1311] !== vector[1326:1311]) differ("fragment_attribute_1");
+            if (vector[1242] && !vector[1244] && found[1342:1327] !== vector[1342:1327]) differ("fragment_attribute_2");
+            if (vector[1242] && !vector[1244] && found[1358:1343] !== vector[1358:1343]) differ("fragment_attribute_3");
+            if (vector[1242] && !vector[1244] && found[1374:1359] !== vector[1374:1359]) differ("fragment_attribute_4");
+            if (vector[1242] && !vector[1244] && found[1390:1375] !== vector[1390:1375]) differ("fragment_attribute_5");
+            if (vector[1242] && !vector[1244] && found[1406:1391] !== vector[1406:1391]) differ("fragment_attribute_6");
+            if (vector[1242] && !vector[1244] && found[1422:1407] !== vector[1422:1407]) differ("fragment_attribute_7");
+            if (vector[1242] && !vector[1244] && found[1438:1423] !== vector[1438:1423]) differ("fragment_attribute_8");
+            if (vector[1242] && !vector[1244] && found[1454:1439] !== vector[1454:1439]) differ("fragment_attribute_9");
+            if (vector[1242] && !vector[1244] && found[1470:1455] !== vector[1470:1455]) differ("fragment_attribute_10");
+            if (vector[1242] && !vector[1244] && found[1486:1471] !== vector[1486:1471]) differ("fragment_attribute_11");
+            if (vector[1242] && !vector[1244] && found[1502:1487] !== vector[1502:1487]) differ("fragment_attribute_12");
+            if (vector[1242] && !vector[1244] && found[1518:1503] !== vector[1518:1503]) differ("fragment_cardinal_0");
+            if (found[1519] !== vector[1519]) differ("event_sample");
+            if (found[1520] !== vector[1520]) differ("event_starved");
+            if (found[1521] !== vector[1521]) differ("event_blocked");
+            if (found[1522] !== vector[1522]) differ("event_accumulate");
+            if (found[1523] !== vector[1523]) differ("event_hazard");
+            if (found[1524] !== vector[1524]) differ("event_slot_wait");
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 121208 cycles, 10532 items, every output as the model's");
+        $display("PASSED: 149701 cycles, 11645 items, every output as the model's");
         $finish;
     end
 endmodule

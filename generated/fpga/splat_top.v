@@ -33,6 +33,7 @@ module splat_top (
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
     output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire read_surface,  // The frame is one of those with odd numbers.
     output wire [11:0] read_tile,  // Tile index.
     output wire [5:0] read_pixel,  // The first pixel of the tile.
     output wire [3:0] read_count,  // How many there are, at least one.
@@ -55,6 +56,7 @@ module splat_top (
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -288,8 +290,8 @@ module splat_top (
         .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
         .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
         .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
-        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
-        .read_count(read_count),
+        .read_valid(read_valid), .read_ready(read_ready), .read_surface(read_surface), .read_tile(read_tile),
+        .read_pixel(read_pixel), .read_count(read_count),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
@@ -298,15 +300,16 @@ module splat_top (
         .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
         .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
         .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
-        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
-        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
-        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
-        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
-        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
-        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
-        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
-        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
-        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_surface(write_surface),
+        .write_tile(write_tile), .write_pixel(write_pixel), .write_weight(write_weight),
+        .write_depth(write_depth), .write_peak(write_peak), .write_attribute_0(write_attribute_0),
+        .write_attribute_1(write_attribute_1), .write_attribute_2(write_attribute_2),
+        .write_attribute_3(write_attribute_3), .write_attribute_4(write_attribute_4),
+        .write_attribute_5(write_attribute_5), .write_attribute_6(write_attribute_6),
+        .write_attribute_7(write_attribute_7), .write_attribute_8(write_attribute_8),
+        .write_attribute_9(write_attribute_9), .write_attribute_10(write_attribute_10),
+        .write_attribute_11(write_attribute_11), .write_attribute_12(write_attribute_12),
+        .write_cardinal_0(write_cardinal_0),
         .pixel_valid(lane_0_pixel_valid), .pixel_ready(normalizer_in_ready), .pixel_end(lane_0_pixel_end),
         .pixel_tile(lane_0_pixel_tile), .pixel_pixel(lane_0_pixel_pixel), .pixel_weight(lane_0_pixel_weight),
         .pixel_depth(lane_0_pixel_depth), .pixel_peak(lane_0_pixel_peak),
@@ -1239,6 +1242,7 @@ module splat_lane (
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire read_surface,  // The frame is one of those with odd numbers.
     output wire [11:0] read_tile,  // Tile index.
     output wire [5:0] read_pixel,  // The first pixel of the tile.
     output wire [3:0] read_count,  // How many there are, at least one.
@@ -1261,6 +1265,7 @@ module splat_lane (
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -1315,7 +1320,7 @@ module splat_lane (
     wire [3:0] payloads_copy_last_difference;
     wire [11:0] payloads_copy_tile;
     wire [10:0] payloads_copy_splat;
-    wire payloads_placed_ready, payloads_out_valid, payloads_out_end;
+    wire payloads_placed_ready, payloads_out_valid;
     wire [31:0] payloads_out_center_x, payloads_out_center_y, payloads_out_ax, payloads_out_bx, payloads_out_ay;
     wire [31:0] payloads_out_by, payloads_out_delta, payloads_out_mx, payloads_out_my;
     wire payloads_out_sight_negative;
@@ -1338,7 +1343,7 @@ module splat_lane (
     wire [3:0] reorder_out_last_difference;
     wire [11:0] reorder_out_tile;
     wire [10:0] reorder_out_splat;
-    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire tile_cache_in_ready, tile_cache_out_valid;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
     wire [3:0] tile_cache_out_last_difference;
@@ -1346,7 +1351,7 @@ module splat_lane (
     wire [10:0] tile_cache_out_splat;
     wire [2:0] tile_cache_out_slot;
     wire [7:0] tile_cache_slot_ready;
-    wire tile_cache_change_valid;
+    wire tile_cache_full, tile_cache_change_valid;
     wire [2:0] tile_cache_change_slot;
     wire [1:0] tile_cache_change_banks;
     wire [63:0] tile_cache_change_held;
@@ -1363,8 +1368,7 @@ module splat_lane (
     wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
     wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
     wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
-    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_last, rasterizer_out_inside;
     wire [2:0] rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
@@ -1374,7 +1378,7 @@ module splat_lane (
     wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
     wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
     wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
-    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_last, weighting_out_inside;
     wire [2:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
@@ -1387,7 +1391,6 @@ module splat_lane (
     wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
     wire accumulator_in_ready, accumulator_retire_valid;
     wire [2:0] accumulator_retire_slot;
-    wire accumulator_frame_end;
     wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
     wire [63:0] accumulator_masks_written, accumulator_masks_dirty;
     wire accumulator_drained_valid;
@@ -1399,6 +1402,9 @@ module splat_lane (
     wire [15:0] accumulator_drained_attribute_5, accumulator_drained_attribute_6, accumulator_drained_attribute_7;
     wire [15:0] accumulator_drained_attribute_8, accumulator_drained_attribute_9, accumulator_drained_attribute_10;
     wire [15:0] accumulator_drained_attribute_11, accumulator_drained_attribute_12, accumulator_drained_cardinal_0;
+
+    wire payloads_copy_ready = reorder_in_ready & ~tile_cache_full;
+    wire copy_comes = payloads_copy_valid & ~tile_cache_full;
 
     splat_payloads payloads (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_end(in_end), .in_first(in_first),
@@ -1415,45 +1421,45 @@ module splat_lane (
         .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom), .in_first_sum(in_first_sum),
         .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
         .in_last_difference(in_last_difference), .in_tile(in_tile),
-        .copy_valid(payloads_copy_valid), .copy_ready(reorder_in_ready), .copy_end(payloads_copy_end),
+        .copy_valid(payloads_copy_valid), .copy_ready(payloads_copy_ready), .copy_end(payloads_copy_end),
         .copy_left(payloads_copy_left), .copy_right(payloads_copy_right), .copy_top(payloads_copy_top),
         .copy_bottom(payloads_copy_bottom), .copy_first_sum(payloads_copy_first_sum),
         .copy_last_sum(payloads_copy_last_sum), .copy_first_difference(payloads_copy_first_difference),
         .copy_last_difference(payloads_copy_last_difference), .copy_tile(payloads_copy_tile),
         .copy_splat(payloads_copy_splat),
         .placed_valid(tile_cache_out_valid), .placed_ready(payloads_placed_ready),
-        .placed_end(tile_cache_out_end), .placed_left(tile_cache_out_left),
-        .placed_right(tile_cache_out_right), .placed_top(tile_cache_out_top),
-        .placed_bottom(tile_cache_out_bottom), .placed_first_sum(tile_cache_out_first_sum),
-        .placed_last_sum(tile_cache_out_last_sum), .placed_first_difference(tile_cache_out_first_difference),
+        .placed_left(tile_cache_out_left), .placed_right(tile_cache_out_right),
+        .placed_top(tile_cache_out_top), .placed_bottom(tile_cache_out_bottom),
+        .placed_first_sum(tile_cache_out_first_sum), .placed_last_sum(tile_cache_out_last_sum),
+        .placed_first_difference(tile_cache_out_first_difference),
         .placed_last_difference(tile_cache_out_last_difference), .placed_tile(tile_cache_out_tile),
         .placed_splat(tile_cache_out_splat), .placed_slot(tile_cache_out_slot),
-        .out_valid(payloads_out_valid), .out_ready(rasterizer_in_ready), .out_end(payloads_out_end),
-        .out_center_x(payloads_out_center_x), .out_center_y(payloads_out_center_y), .out_ax(payloads_out_ax),
-        .out_bx(payloads_out_bx), .out_ay(payloads_out_ay), .out_by(payloads_out_by),
-        .out_delta(payloads_out_delta), .out_mx(payloads_out_mx), .out_my(payloads_out_my),
-        .out_sight_negative(payloads_out_sight_negative), .out_sight_near(payloads_out_sight_near),
-        .out_sight_far(payloads_out_sight_far), .out_sight_turned(payloads_out_sight_turned),
-        .out_sight_disc(payloads_out_sight_disc), .out_depth(payloads_out_depth),
-        .out_depth_low(payloads_out_depth_low), .out_depth_high(payloads_out_depth_high),
-        .out_attribute_0(payloads_out_attribute_0), .out_attribute_1(payloads_out_attribute_1),
-        .out_attribute_2(payloads_out_attribute_2), .out_attribute_3(payloads_out_attribute_3),
-        .out_attribute_4(payloads_out_attribute_4), .out_attribute_5(payloads_out_attribute_5),
-        .out_attribute_6(payloads_out_attribute_6), .out_attribute_7(payloads_out_attribute_7),
-        .out_attribute_8(payloads_out_attribute_8), .out_attribute_9(payloads_out_attribute_9),
-        .out_attribute_10(payloads_out_attribute_10), .out_attribute_11(payloads_out_attribute_11),
-        .out_attribute_12(payloads_out_attribute_12), .out_cardinal_0(payloads_out_cardinal_0),
-        .out_left(payloads_out_left), .out_right(payloads_out_right), .out_top(payloads_out_top),
-        .out_bottom(payloads_out_bottom), .out_first_sum(payloads_out_first_sum),
-        .out_last_sum(payloads_out_last_sum), .out_first_difference(payloads_out_first_difference),
+        .out_valid(payloads_out_valid), .out_ready(rasterizer_in_ready), .out_center_x(payloads_out_center_x),
+        .out_center_y(payloads_out_center_y), .out_ax(payloads_out_ax), .out_bx(payloads_out_bx),
+        .out_ay(payloads_out_ay), .out_by(payloads_out_by), .out_delta(payloads_out_delta),
+        .out_mx(payloads_out_mx), .out_my(payloads_out_my), .out_sight_negative(payloads_out_sight_negative),
+        .out_sight_near(payloads_out_sight_near), .out_sight_far(payloads_out_sight_far),
+        .out_sight_turned(payloads_out_sight_turned), .out_sight_disc(payloads_out_sight_disc),
+        .out_depth(payloads_out_depth), .out_depth_low(payloads_out_depth_low),
+        .out_depth_high(payloads_out_depth_high), .out_attribute_0(payloads_out_attribute_0),
+        .out_attribute_1(payloads_out_attribute_1), .out_attribute_2(payloads_out_attribute_2),
+        .out_attribute_3(payloads_out_attribute_3), .out_attribute_4(payloads_out_attribute_4),
+        .out_attribute_5(payloads_out_attribute_5), .out_attribute_6(payloads_out_attribute_6),
+        .out_attribute_7(payloads_out_attribute_7), .out_attribute_8(payloads_out_attribute_8),
+        .out_attribute_9(payloads_out_attribute_9), .out_attribute_10(payloads_out_attribute_10),
+        .out_attribute_11(payloads_out_attribute_11), .out_attribute_12(payloads_out_attribute_12),
+        .out_cardinal_0(payloads_out_cardinal_0), .out_left(payloads_out_left),
+        .out_right(payloads_out_right), .out_top(payloads_out_top), .out_bottom(payloads_out_bottom),
+        .out_first_sum(payloads_out_first_sum), .out_last_sum(payloads_out_last_sum),
+        .out_first_difference(payloads_out_first_difference),
         .out_last_difference(payloads_out_last_difference), .out_tile(payloads_out_tile),
         .out_slot(payloads_out_slot)
     );
 
     splat_reorder reorder (
-        .clk(clk), .rst(rst), .in_valid(payloads_copy_valid), .in_ready(reorder_in_ready),
-        .in_end(payloads_copy_end), .in_left(payloads_copy_left), .in_right(payloads_copy_right),
-        .in_top(payloads_copy_top), .in_bottom(payloads_copy_bottom), .in_first_sum(payloads_copy_first_sum),
+        .clk(clk), .rst(rst), .in_valid(copy_comes), .in_ready(reorder_in_ready), .in_end(payloads_copy_end),
+        .in_left(payloads_copy_left), .in_right(payloads_copy_right), .in_top(payloads_copy_top),
+        .in_bottom(payloads_copy_bottom), .in_first_sum(payloads_copy_first_sum),
         .in_last_sum(payloads_copy_last_sum), .in_first_difference(payloads_copy_first_difference),
         .in_last_difference(payloads_copy_last_difference), .in_tile(payloads_copy_tile),
         .in_splat(payloads_copy_splat),
@@ -1472,10 +1478,10 @@ module splat_lane (
         .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
         .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
         .in_splat(reorder_out_splat),
-        .out_valid(tile_cache_out_valid), .out_ready(payloads_placed_ready), .out_end(tile_cache_out_end),
-        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
-        .out_bottom(tile_cache_out_bottom), .out_first_sum(tile_cache_out_first_sum),
-        .out_last_sum(tile_cache_out_last_sum), .out_first_difference(tile_cache_out_first_difference),
+        .out_valid(tile_cache_out_valid), .out_ready(payloads_placed_ready), .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
+        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
+        .out_first_difference(tile_cache_out_first_difference),
         .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
         .out_splat(tile_cache_out_splat), .out_slot(tile_cache_out_slot),
         .pixel_valid(pixel_valid), .pixel_ready(pixel_ready), .pixel_end(pixel_end), .pixel_tile(pixel_tile),
@@ -1489,14 +1495,14 @@ module splat_lane (
         .pixel_attribute_12(pixel_attribute_12), .pixel_cardinal_0(pixel_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
         .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
-        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
-        .sample_reads(accumulator_sample_reads),
-        .frame_end(accumulator_frame_end),
         .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
-        .sample_writes(accumulator_sample_writes),
-        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile), .read_pixel(read_pixel),
-        .read_count(read_count),
+        .arrives_valid(copy_comes & reorder_in_ready), .arrives_end(payloads_copy_end),
+        .arrives_tile(payloads_copy_tile), .arrives_splat(payloads_copy_splat),
+        .full(tile_cache_full), .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
+        .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
+        .sample_reads(accumulator_sample_reads), .sample_writes(accumulator_sample_writes),
+        .read_valid(read_valid), .read_ready(read_ready), .read_surface(read_surface), .read_tile(read_tile),
+        .read_pixel(read_pixel), .read_count(read_count),
         .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
         .drain_pixel(tile_cache_drain_pixel),
         .drained_valid(accumulator_drained_valid), .drained_pixel(accumulator_drained_pixel),
@@ -1515,15 +1521,16 @@ module splat_lane (
         .drained_attribute_11(accumulator_drained_attribute_11),
         .drained_attribute_12(accumulator_drained_attribute_12),
         .drained_cardinal_0(accumulator_drained_cardinal_0),
-        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
-        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
-        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
-        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
-        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
-        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
-        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
-        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
-        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_surface(write_surface),
+        .write_tile(write_tile), .write_pixel(write_pixel), .write_weight(write_weight),
+        .write_depth(write_depth), .write_peak(write_peak), .write_attribute_0(write_attribute_0),
+        .write_attribute_1(write_attribute_1), .write_attribute_2(write_attribute_2),
+        .write_attribute_3(write_attribute_3), .write_attribute_4(write_attribute_4),
+        .write_attribute_5(write_attribute_5), .write_attribute_6(write_attribute_6),
+        .write_attribute_7(write_attribute_7), .write_attribute_8(write_attribute_8),
+        .write_attribute_9(write_attribute_9), .write_attribute_10(write_attribute_10),
+        .write_attribute_11(write_attribute_11), .write_attribute_12(write_attribute_12),
+        .write_cardinal_0(write_cardinal_0),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
@@ -1546,8 +1553,8 @@ module splat_lane (
 
     splat_rasterizer rasterizer (
         .clk(clk), .rst(rst), .in_valid(payloads_out_valid), .in_ready(rasterizer_in_ready),
-        .in_end(payloads_out_end), .in_center_x(payloads_out_center_x), .in_center_y(payloads_out_center_y),
-        .in_ax(payloads_out_ax), .in_bx(payloads_out_bx), .in_ay(payloads_out_ay), .in_by(payloads_out_by),
+        .in_center_x(payloads_out_center_x), .in_center_y(payloads_out_center_y), .in_ax(payloads_out_ax),
+        .in_bx(payloads_out_bx), .in_ay(payloads_out_ay), .in_by(payloads_out_by),
         .in_delta(payloads_out_delta), .in_mx(payloads_out_mx), .in_my(payloads_out_my),
         .in_sight_negative(payloads_out_sight_negative), .in_sight_near(payloads_out_sight_near),
         .in_sight_far(payloads_out_sight_far), .in_sight_turned(payloads_out_sight_turned),
@@ -1565,53 +1572,50 @@ module splat_lane (
         .in_last_sum(payloads_out_last_sum), .in_first_difference(payloads_out_first_difference),
         .in_last_difference(payloads_out_last_difference), .in_tile(payloads_out_tile),
         .in_slot(payloads_out_slot),
-        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
-        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
-        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
-        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
-        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
-        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
-        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_last(rasterizer_out_last),
+        .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot), .out_pixel(rasterizer_out_pixel),
+        .out_weight(rasterizer_out_weight), .out_depth(rasterizer_out_depth),
+        .out_depth_low(rasterizer_out_depth_low), .out_depth_high(rasterizer_out_depth_high),
+        .out_attribute_0(rasterizer_out_attribute_0), .out_attribute_1(rasterizer_out_attribute_1),
+        .out_attribute_2(rasterizer_out_attribute_2), .out_attribute_3(rasterizer_out_attribute_3),
+        .out_attribute_4(rasterizer_out_attribute_4), .out_attribute_5(rasterizer_out_attribute_5),
+        .out_attribute_6(rasterizer_out_attribute_6), .out_attribute_7(rasterizer_out_attribute_7),
+        .out_attribute_8(rasterizer_out_attribute_8), .out_attribute_9(rasterizer_out_attribute_9),
+        .out_attribute_10(rasterizer_out_attribute_10), .out_attribute_11(rasterizer_out_attribute_11),
+        .out_attribute_12(rasterizer_out_attribute_12), .out_cardinal_0(rasterizer_out_cardinal_0),
         .filter_scale(filter_scale),
         .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
     );
 
     splat_weighting weighting (
         .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
-        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
-        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
-        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
-        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
-        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
-        .in_cardinal_0(rasterizer_out_cardinal_0),
-        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
-        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
-        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
-        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
-        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
-        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
-        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
-        .out_cardinal_0(weighting_out_cardinal_0)
+        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
+        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
+        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
+        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
+        .in_attribute_2(rasterizer_out_attribute_2), .in_attribute_3(rasterizer_out_attribute_3),
+        .in_attribute_4(rasterizer_out_attribute_4), .in_attribute_5(rasterizer_out_attribute_5),
+        .in_attribute_6(rasterizer_out_attribute_6), .in_attribute_7(rasterizer_out_attribute_7),
+        .in_attribute_8(rasterizer_out_attribute_8), .in_attribute_9(rasterizer_out_attribute_9),
+        .in_attribute_10(rasterizer_out_attribute_10), .in_attribute_11(rasterizer_out_attribute_11),
+        .in_attribute_12(rasterizer_out_attribute_12), .in_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_last(weighting_out_last),
+        .out_inside(weighting_out_inside), .out_slot(weighting_out_slot), .out_pixel(weighting_out_pixel),
+        .out_weight(weighting_out_weight), .out_weighted_depth(weighting_out_weighted_depth),
+        .out_depth_low(weighting_out_depth_low), .out_depth_high(weighting_out_depth_high),
+        .out_attribute_0(weighting_out_attribute_0), .out_attribute_1(weighting_out_attribute_1),
+        .out_attribute_2(weighting_out_attribute_2), .out_attribute_3(weighting_out_attribute_3),
+        .out_attribute_4(weighting_out_attribute_4), .out_attribute_5(weighting_out_attribute_5),
+        .out_attribute_6(weighting_out_attribute_6), .out_attribute_7(weighting_out_attribute_7),
+        .out_attribute_8(weighting_out_attribute_8), .out_attribute_9(weighting_out_attribute_9),
+        .out_attribute_10(weighting_out_attribute_10), .out_attribute_11(weighting_out_attribute_11),
+        .out_attribute_12(weighting_out_attribute_12), .out_cardinal_0(weighting_out_cardinal_0)
     );
 
     splat_accumulator accumulator (
         .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
+        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
         .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
@@ -1623,7 +1627,6 @@ module splat_lane (
         .in_cardinal_0(weighting_out_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
         .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
-        .frame_end(accumulator_frame_end),
         .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
         .change_banks(tile_cache_change_banks), .change_held(tile_cache_change_held),
         .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
@@ -1667,7 +1670,6 @@ endmodule
 module splat_accumulator (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Samples with their contributions.
-    input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
     input  wire [2:0] in_slot,  // Slot of the tile cache.
@@ -1693,7 +1695,6 @@ module splat_accumulator (
     input  wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     output reg  retire_valid,  // A copy is done with.
     output reg  [2:0] retire_slot,  // Slot of the tile cache.
-    output reg  frame_end,  // The frame is done with.
     input  wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
     input  wire [2:0] change_slot,  // Slot of the tile cache.
     input  wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
@@ -1777,7 +1778,6 @@ module splat_accumulator (
     reg [2:0] slot_8;
     reg [5:0] pixel_8;
     reg head_valid;
-    reg head_end;  // Closes the frame.
     reg head_last;  // Closes its copy.
     reg head_inside;  // Lies inside the splat.
     reg [2:0] head_slot;  // Slot of the tile cache.
@@ -1889,7 +1889,7 @@ module splat_accumulator (
     reg [15:0] stored_cardinal_0_8;
 
     wire places_out_valid;
-    wire [11:0] places_out_data;
+    wire [10:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [327:0] samples_out_data;
     wire depth_test_fail, depth_test_pass;
@@ -1897,8 +1897,7 @@ module splat_accumulator (
     wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
     wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
 
-    wire head_valid_and_not_head_end = head_valid & ~head_end;
-    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
+    wire may_issue_inside = head_valid & head_inside;
     wire reads = may_issue_inside & arrived;
     wire sample_reads_1 = reads & head_pixel[0];
     wire sample_reads_0 = reads & ~head_pixel[0];
@@ -1961,12 +1960,9 @@ module splat_accumulator (
     wire slot_wait = may_issue_inside & ~arrived;
     wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
-    wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
-    wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
-    wire head_takes = ~head_valid | (issue | issue_end);
+    wire issue = head_valid & ~(slot_wait | hazard);
+    wire head_takes = ~head_valid | issue;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire places_out_end = places_out_data[11];
     wire places_out_last = places_out_data[10];
     wire places_out_inside = places_out_data[9];
     wire [2:0] places_out_slot = places_out_data[8:6];
@@ -1989,7 +1985,7 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
-    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[8:0] == {head_slot, head_pixel});
+    wire collisions_both = may_issue_inside & (places_out_data[8:0] == {head_slot, head_pixel});
     wire [7:0] collisions_bits = {
         inside_7 & (places_out_data[8:0] == {slot_7, pixel_7}),
         inside_6 & (places_out_data[8:0] == {slot_6, pixel_6}),
@@ -2093,9 +2089,9 @@ module splat_accumulator (
         .read_data(bank_1_read)
     );
 
-    stream_fifo_d64_w12_distributed places (
+    stream_fifo_d64_w11_distributed places (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
-        .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
+        .in_data({in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
@@ -2170,7 +2166,6 @@ module splat_accumulator (
     always @(posedge clk) begin
         if (rst) begin
             retire_valid <= 1'd0;
-            frame_end <= 1'd0;
             valid_1 <= 1'd0;
             inside_1 <= 1'd0;
             valid_2 <= 1'd0;
@@ -2195,7 +2190,6 @@ module splat_accumulator (
             event_slot_wait <= 1'd0;
         end else begin
             retire_valid <= valid_8 & last_8;
-            frame_end <= issue_end;
             valid_1 <= issue;
             inside_1 <= issue_inside;
             valid_2 <= valid_1;
@@ -2419,7 +2413,6 @@ module splat_accumulator (
         stored_cardinal_0_7 <= stored_cardinal_0_6;
         stored_cardinal_0_8 <= stored_cardinal_0_7;
         if (head_takes) begin
-            head_end <= places_out_end;
             head_last <= places_out_last;
             head_inside <= places_out_inside;
             head_slot <= places_out_slot;
@@ -2681,18 +2674,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 12
+// width = 11
 // storage = distributed
-module stream_fifo_d64_w12_distributed (
+module stream_fifo_d64_w11_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [11:0] entries [0:63];
+    reg [10:0] entries [0:63];
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    reg [11:0] item;
+    reg [10:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -2743,7 +2736,6 @@ endmodule
 module splat_weighting (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Samples.
-    input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
     input  wire [2:0] in_slot,  // Slot of the tile cache.
@@ -2767,7 +2759,6 @@ module splat_weighting (
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     output wire out_valid, input wire out_ready,  // Samples with their contributions.
-    output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
     output wire [2:0] out_slot,  // Slot of the tile cache.
@@ -2794,12 +2785,12 @@ module splat_weighting (
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [75:0] delay_10_from_0 [0:8];
+    reg [74:0] delay_10_from_0 [0:8];
     reg [4:0] credits;
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [75:0] delay_10_from_0_out;
+    reg [74:0] delay_10_from_0_out;
     reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
@@ -2819,7 +2810,7 @@ module splat_weighting (
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
     wire queue_1_in_ready;
-    wire [115:0] queue_1_out_data;
+    wire [114:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
     wire [127:0] queue_2_out_data;
     wire queue_3_in_ready, queue_3_out_valid;
@@ -2829,18 +2820,17 @@ module splat_weighting (
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
     wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
     wire kept = in_flight[9];
-    wire end_d10 = delay_10_from_0_out[0];
-    wire last_d10 = delay_10_from_0_out[1];
-    wire inside_d10 = delay_10_from_0_out[2];
-    wire [2:0] slot_d10 = delay_10_from_0_out[5:3];
-    wire [5:0] pixel_d10 = delay_10_from_0_out[11:6];
-    wire [23:0] depth_low_d10 = delay_10_from_0_out[35:12];
-    wire [23:0] depth_high_d10 = delay_10_from_0_out[59:36];
-    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[75:60];
+    wire last_d10 = delay_10_from_0_out[0];
+    wire inside_d10 = delay_10_from_0_out[1];
+    wire [2:0] slot_d10 = delay_10_from_0_out[4:2];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
+    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[74:59];
     wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
-        out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
+        out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
         out_depth_high
     } = queue_1_out_data;
     assign {
@@ -2922,10 +2912,10 @@ module splat_weighting (
         .y(mul_f16_unit_copy13_y)
     );
 
-    stream_fifo_d14_w116_distributed queue_1 (
+    stream_fifo_d14_w115_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
-            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
             depth_high_d10
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
@@ -3026,7 +3016,7 @@ module splat_weighting (
         delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last};
         delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 
@@ -3177,17 +3167,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 14
-// width = 116
+// width = 115
 // storage = distributed
-module stream_fifo_d14_w116_distributed (
+module stream_fifo_d14_w115_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [115:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [115:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [114:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [114:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [115:0] entries [0:13];
+    reg [114:0] entries [0:13];
     reg [3:0] held, waiting, write_address, read_address;
-    reg [115:0] item;
+    reg [114:0] item;
 
     wire has_room = ~(held == 4'd14);
     wire push = in_valid & has_room;
@@ -3430,7 +3420,6 @@ endmodule
 module splat_rasterizer (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies with their slots.
-    input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_ax,  // `A` in x.
@@ -3473,7 +3462,6 @@ module splat_rasterizer (
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire [2:0] in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
-    output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
     output wire [2:0] out_slot,  // Slot of the tile cache.
@@ -3501,7 +3489,7 @@ module splat_rasterizer (
     output reg  event_starved,  // The rasterizer had no copy to work on.
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
-    reg busy, idle, is_end, is_last;
+    reg busy, idle, is_last;
     reg [2:0] slot;
     reg [11:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
@@ -3538,11 +3526,11 @@ module splat_rasterizer (
     wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
     wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
     wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
-    wire idle_either = in_end | ({in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]});
+    wire idle_same = {in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]};
     wire row_done = column == row_end;
     wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
     wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
-    wire idle_same = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
+    wire idle_same_2 = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
     wire row_end_enable_both = evaluation_in_ready & (load | row_done);
     wire [2:0] in_top_plus_1 = in_top + 3'd1;
     wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
@@ -3575,19 +3563,18 @@ module splat_rasterizer (
     } = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
-        .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
-        .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
-        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_sight_negative(sight_negative),
-        .in_sight_near(sight_near), .in_sight_far(sight_far), .in_sight_turned(sight_turned),
-        .in_sight_disc(sight_disc),
+        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_last(is_last),
+        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
+        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
+        .in_my(my), .in_sight_negative(sight_negative), .in_sight_near(sight_near), .in_sight_far(sight_far),
+        .in_sight_turned(sight_turned), .in_sight_disc(sight_disc),
         .filter_scale(filter_scale),
-        .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
-        .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
+        .out_valid(out_valid), .out_ready(out_ready), .out_last(out_last), .out_inside(out_inside),
+        .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
     stream_fifo_d64_w296 shared (
-        .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .clk(clk), .rst(rst), .in_valid(load), .in_ready(shared_in_ready),
         .in_data({
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
@@ -3607,16 +3594,20 @@ module splat_rasterizer (
         end else begin
             if (evaluation_in_ready) begin
                 busy <= load | (busy & ~is_last);
-                idle <= load ? idle_either : (~busy | (is_last | idle_same));
+                idle <= load ? idle_same : (~busy | (is_last | idle_same_2));
             end
-            event_sample <= evaluation_in_ready & busy & ~is_end;
+            event_sample <= evaluation_in_ready & busy;
             event_starved <= evaluation_in_ready & ~busy;
             event_blocked <= busy & ~evaluation_in_ready;
         end
     end
     always @(posedge clk) begin
+        if (evaluation_in_ready) begin
+            is_last <= load ? idle_same : idle_same_2;
+            column <= load ? idle_choice_4[2:0] : idle_choice_10;
+            row <= load ? in_top : idle_choice_9;
+        end
         if (take) begin
-            is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
             bottom <= in_bottom;
@@ -3640,11 +3631,6 @@ module splat_rasterizer (
             sight_far <= in_sight_far;
             sight_turned <= in_sight_turned;
             sight_disc <= in_sight_disc;
-        end
-        if (evaluation_in_ready) begin
-            is_last <= load ? idle_either : idle_same;
-            column <= load ? idle_choice_4[2:0] : idle_choice_10;
-            row <= load ? in_top : idle_choice_9;
         end
         if (row_end_enable_both) begin
             row_end <= load ? idle_choice_8[2:0] : next_end;
@@ -3720,20 +3706,19 @@ endmodule
 // initiation_interval = 1
 module splat_evaluation (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
-    input  wire [2:0] in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
-    input  wire [31:0] in_center_x, input wire [31:0] in_center_y, input wire [31:0] in_ax,
-    input  wire [31:0] in_bx, input wire [31:0] in_ay, input wire [31:0] in_by,
-    input  wire [31:0] in_delta, input wire [31:0] in_mx, input wire [31:0] in_my,
-    input  wire in_sight_negative, input wire [30:0] in_sight_near, input wire [30:0] in_sight_far,
-    input  wire in_sight_turned, input wire in_sight_disc,
+    input  wire in_valid, output wire in_ready, input wire in_last, input wire [2:0] in_slot,
+    input  wire [8:0] in_column, input wire [8:0] in_row, input wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y, input wire [31:0] in_ax, input wire [31:0] in_bx,
+    input  wire [31:0] in_ay, input wire [31:0] in_by, input wire [31:0] in_delta,
+    input  wire [31:0] in_mx, input wire [31:0] in_my, input wire in_sight_negative,
+    input  wire [30:0] in_sight_near, input wire [30:0] in_sight_far, input wire in_sight_turned,
+    input  wire in_sight_disc,
     input  wire [31:0] filter_scale,
-    output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
-    output wire out_inside, output wire [2:0] out_slot, output wire [5:0] out_pixel,
-    output wire [15:0] out_weight
+    output wire out_valid, input wire out_ready, output wire out_last, output wire out_inside,
+    output wire [2:0] out_slot, output wire [5:0] out_pixel, output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
-    reg [3:0] delay_5_from_0 [0:3];
+    reg delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
     reg [95:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
@@ -3754,7 +3739,7 @@ module splat_evaluation (
     reg [31:0] delay_40_from_0 [0:38];
     reg [7:0] credits;
     reg [1:0] delay_5_from_0_pointer;
-    reg [3:0] delay_5_from_0_out;
+    reg delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
     reg [95:0] delay_6_from_0_out;
     reg [2:0] delay_6_from_0_copy2_pointer;
@@ -3773,16 +3758,11 @@ module splat_evaluation (
     reg delay_38_from_0_out;
     reg [5:0] delay_40_from_0_pointer;
     reg [31:0] delay_40_from_0_out;
-    reg [6:0] delay_68_from_0_pointer;
-    wire delay_68_from_0_out;
-    reg [6:0] delay_69_from_0_pointer;
-    wire delay_69_from_0_out;
     reg [6:0] delay_74_from_0_pointer;
-    wire [8:0] delay_74_from_0_out;
-    reg end_d69;
+    wire [9:0] delay_74_from_0_out;
     reg [31:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
     reg [31:0] minus_center_y_d3;
-    reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
+    reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2;
     reg [73:0] in_flight;
     reg left, dropped;
 
@@ -3797,7 +3777,7 @@ module splat_evaluation (
     wire lt_f32_ftz_unit_y;
     wire [15:0] to_fixed_f32_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
     wire queue_1_in_ready;
-    wire [27:0] queue_1_out_data;
+    wire [26:0] queue_1_out_data;
 
     assign in_ready = ~credits[7];
     wire [31:0] y_times_my_d6 = delay_6_from_0_out[63:32];
@@ -3813,13 +3793,11 @@ module splat_evaluation (
     wire [31:0] rho_squared_chosen = sight_turned_d26 ? add_f32_ftz_unit_copy6_y : s1_d6;
     wire [31:0] rho_squared_chosen_copy2 = sight_turned_d26 ? s1_d6 : add_f32_ftz_unit_copy6_y;
     wire [31:0] rho_squared_chosen_copy3 = delay_38_from_0_out ? div_f32_ftz_unit_y : 32'h7f800000;
-    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
-    wire kept = in_flight[73] & end_or_last_or_inside_out_d5;
-    wire end_d74 = delay_5_from_0_out[0];
-    wire last_d74 = delay_5_from_0_out[1];
-    wire inside_out_d5 = delay_5_from_0_out[2];
-    wire [2:0] slot_d74 = delay_74_from_0_out[2:0];
-    wire [5:0] pixel_out_d74 = delay_74_from_0_out[8:3];
+    wire last_d74 = delay_74_from_0_out[0];
+    wire last_or_covered = last_d74 | delay_5_from_0_out;
+    wire kept = in_flight[73] & last_or_covered;
+    wire [2:0] slot_d74 = delay_74_from_0_out[3:1];
+    wire [5:0] pixel_out_d74 = delay_74_from_0_out[9:4];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire sight_negative_d26 = delay_26_from_0_out[0];
     wire rho_squared_unequal = sight_negative_d26 ^ rho_squared_chosen_copy2[31];
@@ -3828,29 +3806,15 @@ module splat_evaluation (
     wire rho_squared_in_order = ~(sight_near_d26 < rho_squared_chosen_copy2[30:0]);
     wire [30:0] sight_far_d26 = delay_26_from_0_out[62:32];
     wire rho_squared_in_order_copy2 = ~(rho_squared_chosen_copy2[30:0] < sight_far_d26);
-    wire not_end = ~delay_68_from_0_out;
-    wire inside_out = lt_f32_ftz_unit_y & not_end_d1;
-    wire last_or_inside_out = delay_69_from_0_out | inside_out;
-    wire end_or_last_or_inside_out = end_d69 | last_or_inside_out;
     wire rho_squared_both = not_rho_squared_unequal_d1 & rho_squared_in_order_d1;
     wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
     wire [31:0] rho_squared_chosen_copy4 = delay_25_from_0_out ? mul_f32_ftz_unit_copy12_y : 32'h7f800000;
 
-    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
+    assign {out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
 
-    memory_1w1r #(.WIDTH(1), .DEPTH(67)) delay_68_from_0 (
-        .clk(clk), .write(1'd1), .write_address(delay_68_from_0_pointer), .write_data(in_end),
-        .read(1'd1), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
-    );
-
-    memory_1w1r #(.WIDTH(1), .DEPTH(68)) delay_69_from_0 (
-        .clk(clk), .write(1'd1), .write_address(delay_69_from_0_pointer), .write_data(in_last),
-        .read(1'd1), .read_address(delay_69_from_0_pointer), .read_data(delay_69_from_0_out)
-    );
-
-    memory_1w1r #(.WIDTH(9), .DEPTH(73)) delay_74_from_0 (
+    memory_1w1r #(.WIDTH(10), .DEPTH(73)) delay_74_from_0 (
         .clk(clk), .write(1'd1), .write_address(delay_74_from_0_pointer),
-        .write_data({in_row[2:0], in_column[2:0], in_slot}),
+        .write_data({in_row[2:0], in_column[2:0], in_slot, in_last}),
         .read(1'd1), .read_address(delay_74_from_0_pointer), .read_data(delay_74_from_0_out)
     );
 
@@ -3978,9 +3942,9 @@ module splat_evaluation (
         .clk(clk), .enable(1'd1), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
-    stream_fifo_d78_w28 queue_1 (
+    stream_fifo_d78_w27 queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({end_d74, last_d74, inside_out_d5, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
+        .in_data({last_d74, delay_5_from_0_out, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
@@ -3997,8 +3961,6 @@ module splat_evaluation (
             delay_26_from_0_pointer <= 5'd0;
             delay_38_from_0_pointer <= 6'd0;
             delay_40_from_0_pointer <= 6'd0;
-            delay_68_from_0_pointer <= 7'd0;
-            delay_69_from_0_pointer <= 7'd0;
             delay_74_from_0_pointer <= 7'd0;
             in_flight <= 74'd0;
             left <= 1'd0;
@@ -4015,16 +3977,13 @@ module splat_evaluation (
             delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
             delay_38_from_0_pointer <= (delay_38_from_0_pointer == 6'd36) ? (delay_38_from_0_pointer - 6'd36) : (delay_38_from_0_pointer + 6'd1);
             delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
-            delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
-            delay_69_from_0_pointer <= (delay_69_from_0_pointer == 7'd67) ? (delay_69_from_0_pointer - 7'd67) : (delay_69_from_0_pointer + 7'd1);
             delay_74_from_0_pointer <= (delay_74_from_0_pointer == 7'd72) ? (delay_74_from_0_pointer - 7'd72) : (delay_74_from_0_pointer + 7'd1);
             in_flight <= {in_flight[72:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
-            dropped <= in_flight[73] & ~end_or_last_or_inside_out_d5;
+            dropped <= in_flight[73] & ~last_or_covered;
         end
     end
     always @(posedge clk) begin
-        end_d69 <= delay_68_from_0_out;
         minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
         minus_center_x_d2 <= minus_center_x_d1;
         minus_center_x_d3 <= minus_center_x_d2;
@@ -4034,10 +3993,9 @@ module splat_evaluation (
         not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
         rho_squared_in_order_d1 <= rho_squared_in_order;
         rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
-        not_end_d1 <= not_end;
     end
     always @(posedge clk) begin
-        delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_69_from_0_out, end_d69};
+        delay_5_from_0[delay_5_from_0_pointer] <= lt_f32_ftz_unit_y;
         delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -4094,14 +4052,14 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 78
-// width = 28
-module stream_fifo_d78_w28 (
+// width = 27
+module stream_fifo_d78_w27 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
 );
     reg [6:0] held, waiting, write_address, read_address;
-    wire [27:0] item;
+    wire [26:0] item;
 
     wire has_room = ~(held == 7'd78);
     wire push = in_valid & has_room;
@@ -4111,7 +4069,7 @@ module stream_fifo_d78_w28 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(78)) entries (
+    memory_1w1r_unordered #(.WIDTH(27), .DEPTH(78)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -4948,7 +4906,6 @@ module splat_tile_cache (
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire [10:0] in_splat,  // Place of its splat's payload.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
-    output wire out_end,  // Closes the frame.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
@@ -4984,16 +4941,21 @@ module splat_tile_cache (
     output wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
     input  wire [2:0] retire_slot,  // Slot of the tile cache.
+    input  wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
+    input  wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
+    input  wire arrives_valid,  // Copies as they come before they are put in order.
+    input  wire arrives_end,  // Closes the frame.
+    input  wire [11:0] arrives_tile,  // Tile index: row above column.
+    input  wire [10:0] arrives_splat,  // Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    output wire full,  // As many frames are under way as there are surfaces: no copy of another may come.
     output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
     output wire [2:0] change_slot,  // Slot of the tile cache.
     output wire [1:0] change_banks,  // A bit for each bank in which that is to be carried out.
     output wire [63:0] change_held,  // A bit for each pixel that will be filled.
     input  wire [1:0] sample_reads,  // A bit for each bank that a sample may read: no drain and no change of it is carried out.
-    input  wire frame_end,  // The accumulator is done with the frame.
-    input  wire [63:0] masks_written,  // A bit for each pixel that was filled or that a sample came to.
-    input  wire [63:0] masks_dirty,  // A bit for each pixel that a sample came to.
     input  wire [1:0] sample_writes,  // A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
     output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
+    output wire read_surface,  // The frame is one of those with odd numbers.
     output wire [11:0] read_tile,  // Tile index.
     output wire [5:0] read_pixel,  // The first pixel of the tile.
     output wire [3:0] read_count,  // How many there are, at least one.
@@ -5020,6 +4982,7 @@ module splat_tile_cache (
     input  wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
+    output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -5090,13 +5053,9 @@ module splat_tile_cache (
     reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [10:0] head_splat;  // Place of its splat's payload.
-    reg [1:0] mode;
-    reg frame_ended;
-    reg [11:0] place;
-    reg walking, place_read;
-    reg [11:0] read_place;
-    reg place_seen;
-    reg [11:0] seen_place;
+    reg clearing;
+    reg [12:0] cleared;
+    reg surface;
     reg [63:0] mask;
     reg looking;
     reg [1:0] unchanged;
@@ -5109,8 +5068,10 @@ module splat_tile_cache (
     reg [63:0] wanted_rest;
     reg [2:0] wanted_row;
     reg [7:0] wanted_left;
+    reg wanted_surface;
     reg [11:0] wanted_tile;
-    reg [5:0] awaited;
+    reg wanted_leaves;
+    reg [5:0] awaited_fills, awaited_leaving;
     reg [2:0] came;
     reg filling;
     reg [1:0] taken_banks;
@@ -5150,21 +5111,41 @@ module splat_tile_cache (
     reg [11:0] tile_7;
     reg resident_7, ready_7;
     reg [7:0] in_flight_7;
-    reg used_7, is_of_copy_7;
+    reg used_7, is_of_copy_7, frame_leaves, frame_is_given;
+    reg [11:0] next_place;
+    reg any_next_place;
+    reg [11:0] looked_at;
+    reg look_reads, look_is_shown, look_is_seen;
+    reg [63:0] seen_mask;
+    reg seen_stays;
     wire [63:0] stored_mask;
+    reg arrived;
+    reg arrived_end;  // Closes the frame.
+    reg [11:0] arrived_tile;  // Tile index: row above column.
+    reg [10:0] arrived_splat;  // Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    reg arriving_surface;
+    reg [1:0] whole_frames;
+    wire [11:0] last_copy;
+    reg looked_up, compared;
+    reg found_valid;  // Copies are still to come.
+    reg [10:0] found_splat;  // The splat of the last one that came.
+    reg overtaken, forgets;
+    reg [12:0] forgotten;
 
     wire in_queue_out_valid;
     wire [51:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [54:0] out_queue_out_data;
+    wire [53:0] out_queue_out_data;
     wire pixel_queue_in_ready;
     wire [338:0] pixel_queue_out_data;
+    wire gone_tiles_in_ready, gone_tiles_out_valid;
+    wire [11:0] gone_tiles_out_data;
     wire read_queue_in_ready;
-    wire [21:0] read_queue_out_data;
+    wire [22:0] read_queue_out_data;
     wire asked_runs_in_ready, asked_runs_out_valid;
-    wire [21:0] asked_runs_out_data;
+    wire [22:0] asked_runs_out_data;
     wire write_queue_in_ready;
-    wire [337:0] write_queue_out_data;
+    wire [338:0] write_queue_out_data;
 
     wire [63:0] mask_that_comes = {64{comes}} & mask;
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
@@ -5184,20 +5165,19 @@ module splat_tile_cache (
     wire [2:0] leaving_place_either_8 = leaving_place_either_5 | ({3{leaving_place_both_5}} & 3'd5) | ({3{leaving_place_both_6}} & 3'd6);
     wire leaving_place_both_7 = leaving_left[7] & ~(leaving_place_either_7 | leaving_left[6]);
     wire [2:0] leaving_place = leaving_place_either_8 | {3{leaving_place_both_7}};
-    wire mode_is_3 = mode == 2'd3;
+    wire asked_runs_out_leaves = asked_runs_out_data[22];
     wire leaving_is_empty = (leaving_rest == 64'd0) & (leaving_left == 8'd0);
     wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
     wire may_fill_either = leaving_is_empty | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
     wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
     wire fills = filling & ~fills_shifted[0];
     wire may_fill = moving & may_fill_either & (~filling | fills);
-    wire takes_data = asked_runs_out_valid & (mode_is_3 ? pixel_queue_in_ready : may_fill);
+    wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
-    wire mode_is_0 = mode == 2'd0;
-    wire has_pixels = place_seen & |mask;
+    wire may_leave = |seen_mask & ~seen_stays;
     wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
-    wire advance = mode_is_3 & (~has_pixels | wanted_is_empty);
-    wire head_waits = (mode == 2'd1) & head_valid;
+    wire sends_either = looking | |unchanged;
+    wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
@@ -5213,7 +5193,8 @@ module splat_tile_cache (
         resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
     };
     wire copy_hit = |copy_hit_bits;
-    wire waits_inverted = ~(looking | |unchanged | (changed | moving));
+    wire seen_stays_either = sends_either | (changed | moving);
+    wire not_seen_stays_either = ~seen_stays_either;
     wire next_is_0 = next == 3'd0;
     wire next_is_1 = next == 3'd1;
     wire vacate_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
@@ -5228,25 +5209,43 @@ module splat_tile_cache (
     wire vacate_either_5 = vacate_either_4 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6));
     wire next_is_7 = next == 3'd7;
     wire vacate_either_6 = vacate_either_5 | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (waits_inverted & vacate_either_6));
+    wire start = head_waits_and_not_head_end & ~copy_hit & (not_seen_stays_either & vacate_either_6 & wanted_is_empty);
+    wire end_waits = head_waits & head_end & not_seen_stays_either;
+    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
+    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
+    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
+    wire vacate = end_waits & (goes_either_4 & vacate_either_6);
+    wire job_starts = start | vacate;
+    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~sends_either & ~job_starts & ~mask_is_kept);
+    wire surface_xor_frame_is_given = surface ^ frame_is_given;
+    wire [12:0] last_copy_address_bits = {surface_xor_frame_is_given, looked_at};
+    wire copy_enters = arrived & ~arrived_end;
     wire head_takes = ~head_valid;
+    wire looked_up_both = head_takes & in_queue_out_valid;
+    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
     wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
     wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
     wire send_either_3 = send_either_2 | (resident_4_and_is_of_copy_4 & &in_flight_4) | (resident_5_and_is_of_copy_5 & &in_flight_5);
     wire send_either_4 = send_either_3 | (resident_6_and_is_of_copy_6 & &in_flight_6) | (resident_7_and_is_of_copy_7 & &in_flight_7);
     wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_4));
-    wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire send_or_send_end = send | send_end;
     wire [2:0] copy_slot_either = ({3{resident_1_and_is_of_copy_1}} & 3'd1) | ({3{resident_2_and_is_of_copy_2}} & 3'd2);
     wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{resident_3_and_is_of_copy_3}} & 3'd3) | ({3{resident_4_and_is_of_copy_4}} & 3'd4);
     wire [2:0] copy_slot_either_3 = copy_slot_either_2 | ({3{resident_5_and_is_of_copy_5}} & 3'd5) | ({3{resident_6_and_is_of_copy_6}} & 3'd6);
     wire [2:0] copy_slot = copy_slot_either_3 | {3{resident_7_and_is_of_copy_7}};
-    wire close_both = wanted_is_empty & (awaited == 6'd0);
-    wire close = mode_is_3 & ~(walking | place_read | place_seen) & (close_both & pixel_queue_in_ready);
+    wire looks_at_none = ~(look_reads | (look_is_shown | look_is_seen));
+    wire frame_leaves_and_looks_at_none = frame_leaves & looks_at_none;
+    wire closes_both = frame_leaves_and_looks_at_none & (frame_is_given & ~any_next_place & ~gone_tiles_out_valid);
+    wire closes_both_2 = ~(wanted_leaves & ~wanted_is_empty) & (awaited_leaving == 6'd0) & pixel_queue_in_ready;
+    wire closes = closes_both & closes_both_2;
     wire beat = takes_data & data_valid;
-    wire visible = mode_is_3 & beat & |data_weight;
+    wire visible = asked_runs_out_leaves & beat & |data_weight;
     wire [11:0] asked_runs_out_tile = asked_runs_out_data[21:10];
     wire [5:0] coming_pixel = asked_runs_out_pixel + {3'd0, came};
+    wire done_both = (wanted_leaves | wanted_is_empty) & (awaited_fills == 6'd0) & (~filling & (gone_tiles_in_ready | ~goes));
+    wire done = moving & (leaving_is_empty & (owed == 4'd0) & done_both);
+    wire draws_what_leaves = frame_leaves & ~frame_is_given;
+    wire looks = frame_leaves_and_looks_at_none | (sends | (look_is_seen & ~may_leave));
     wire asks = |wanted_left & (read_queue_in_ready & asked_runs_in_ready);
     wire wanted_place_both = wanted_left[1] & ~wanted_left[0];
     wire wanted_left_0_or_wanted_left_1 = wanted_left[0] | wanted_left[1];
@@ -5278,10 +5277,12 @@ module splat_tile_cache (
     wire wanted_count_both_7 = wanted_left[7] & (wanted_place_both_7 | wanted_count_both_6);
     wire [3:0] wanted_count_either_6 = wanted_count_either_5 | ({4{wanted_count_both_6 & ~wanted_count_both_7}} & 4'd7);
     wire [3:0] wanted_count = (wanted_count_either_6 | ({4{wanted_count_both_7}} & 4'd8)) - {1'd0, wanted_place};
-    wire [21:0] read_queue_in_data_bits = {wanted_tile, wanted_row, wanted_place, wanted_count};
     wire [3:0] came_now = {1'd0, came} + 4'd1;
     wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
     wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
+    wire any_resident = |any_resident_bits;
+    wire switches = end_waits & draws_what_leaves & ~any_resident;
     wire in_queue_out_end = in_queue_out_data[51];
     wire [2:0] in_queue_out_left = in_queue_out_data[50:48];
     wire [2:0] in_queue_out_right = in_queue_out_data[47:45];
@@ -5291,27 +5292,14 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_last_sum = in_queue_out_data[34:31];
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[30:27];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[26:23];
-    wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
     wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
-    wire last_place = &place;
-    wire waits = (mode == 2'd2) & waits_inverted;
-    wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
-    wire any_resident = |any_resident_bits;
-    wire finish = waits & (frame_ended & ~pixel_valid & ~any_resident);
-    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
-    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
-    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
-    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
-    wire vacate = waits & (goes_either_4 & vacate_either_6);
-    wire job_starts = start | vacate;
     wire [1:0] still_unchanged = unchanged & sample_reads;
     wire change = |unchanged & (still_unchanged == 2'd0);
-    wire done = moving & (leaving_is_empty & (owed == 4'd0) & (close_both & ~filling));
     wire [11:0] goes_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
     wire [11:0] goes_tile_either_2 = goes_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
     wire [11:0] goes_tile_either_3 = goes_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
-    wire sends = advance & has_pixels;
-    wire begins = sends | (change & comes);
+    wire fills_are_wanted = change & comes;
+    wire begins = sends | fills_are_wanted;
     wire [7:0] wanted_run = {
         wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
         wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
@@ -5349,7 +5337,7 @@ module splat_tile_cache (
     wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_rest_bits_6 & wanted_rest[23:16]) | (wanted_rest_bits_5 & wanted_rest[31:24]);
     wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_rest_bits_4 & wanted_rest[39:32]) | (wanted_rest_bits_3 & wanted_rest[47:40]);
     wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_rest_bits_2 & wanted_rest[55:48]) | (wanted_rest_bits & wanted_rest[63:56]);
-    wire beat_and_not_mode_is_3 = beat & ~mode_is_3;
+    wire fill_pixel_enable_both = beat & ~asked_runs_out_leaves;
     wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
     wire drains = offers_drain & ~drains_shifted[0];
     wire [7:0] leaving_row_ends_bits = {
@@ -5438,9 +5426,27 @@ module splat_tile_cache (
     wire ready_7_both = done_and_comes & (slot == 3'd7);
     wire in_flight_7_both = send & (copy_slot == 3'd7);
     wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
+    wire frame_begins_to_leave = |whole_frames & ~frame_leaves;
+    wire looks_at_next = looks & ~gone_tiles_out_valid & any_next_place;
+    wire next_place_enable_either = frame_begins_to_leave | looks_at_next;
+    wire look_is_read = look_reads & ~(looked_up_both | job_starts);
+    wire [7:0] seen_stays_bits = {
+        resident_0 & (tile_0 == looked_at), resident_1 & (tile_1 == looked_at),
+        resident_2 & (tile_2 == looked_at), resident_3 & (tile_3 == looked_at),
+        resident_4 & (tile_4 == looked_at), resident_5 & (tile_5 == looked_at),
+        resident_6 & (tile_6 == looked_at), resident_7 & (tile_7 == looked_at)
+    };
+    wire seen_stays_either_2 = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
+    wire seen_stays_either_3 = seen_stays_either_2 | (goes & seen_stays_either & (goes_tile == looked_at));
+    wire frame_is_whole = arrived & arrived_end;
+    wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
+    wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
+    wire overtaken_or_overtaken_both_2 = overtaken | overtaken_both_2;
+    wire last_reached = compared & (found_valid & (found_splat == head_splat)) & ~overtaken_or_overtaken_both_2;
+    wire forgets_both = forgets & (copy_enters & ({arriving_surface, arrived_tile} != forgotten));
 
     assign {
-        out_end, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
         out_last_difference, out_tile, out_splat, out_slot
     } = out_queue_out_data;
     assign {
@@ -5450,29 +5456,39 @@ module splat_tile_cache (
         pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
     } = pixel_queue_out_data;
     assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
+    assign full = clearing | (whole_frames[1] | (whole_frames[0] & frame_is_given));
     assign change_valid = |unchanged;
     assign change_slot = slot;
     assign change_banks = unchanged;
     assign change_held = mask_that_comes;
-    assign {read_tile, read_pixel, read_count} = read_queue_out_data;
+    assign {read_surface, read_tile, read_pixel, read_count} = read_queue_out_data;
     assign drain_enable = offers_drain;
     assign drain_slot = slot;
     assign drain_pixel = {leaving_row, leaving_place};
     assign {
-        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
-        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
-        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
-        write_attribute_12, write_cardinal_0
+        write_surface, write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0,
+        write_attribute_1, write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5,
+        write_attribute_6, write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10,
+        write_attribute_11, write_attribute_12, write_cardinal_0
     } = write_queue_out_data;
     assign data_ready = takes_data;
     assign fill_valid = filling;
     assign fill_slot = slot;
 
-    memory_1w1r_unordered #(.WIDTH(64), .DEPTH(4096)) stored_masks (
-        .clk(clk), .write(mask_is_kept | (mode_is_0 | (advance & place_seen))),
-        .write_address(mask_is_kept ? goes_tile : mode_is_0 ? place : seen_place),
+    memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
+        .clk(clk), .write(mask_is_kept | clearing | sends),
+        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : last_copy_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
-        .read(start | advance), .read_address(mode_is_3 ? place : head_tile), .read_data(stored_mask)
+        .read(1'd1), .read_address(start ? {surface, head_tile} : last_copy_address_bits),
+        .read_data(stored_mask)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(12), .DEPTH(8192)) last_copies (
+        .clk(clk), .write(clearing | (copy_enters | forgets)),
+        .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
+        .write_data({copy_enters & ~clearing, arrived_splat}),
+        .read(1'd1), .read_address(looked_up_both ? {surface, in_queue_out_tile} : last_copy_address_bits),
+        .read_data(last_copy)
     );
 
     stream_half_buffer_w52 in_queue (
@@ -5484,19 +5500,19 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_fifo_d16_w55_distributed out_queue (
-        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
+    stream_fifo_d16_w54_distributed out_queue (
+        .clk(clk), .rst(rst), .in_valid(send), .in_ready(out_queue_in_ready),
         .in_data({
-            head_end, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
-            head_first_difference, head_last_difference, head_tile, head_splat, copy_slot
+            head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum, head_first_difference,
+            head_last_difference, head_tile, head_splat, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w339 pixel_queue (
-        .clk(clk), .rst(rst), .in_valid(close | visible), .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(closes | visible), .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_peak, data_attribute_0,
+            closes, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_peak, data_attribute_0,
             data_attribute_1, data_attribute_2, data_attribute_3, data_attribute_4, data_attribute_5,
             data_attribute_6, data_attribute_7, data_attribute_8, data_attribute_9, data_attribute_10,
             data_attribute_11, data_attribute_12, data_cardinal_0
@@ -5504,22 +5520,28 @@ module splat_tile_cache (
         .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
-    stream_skid_w22 read_queue (
+    stream_fifo_d16_w12_distributed gone_tiles (
+        .clk(clk), .rst(rst), .in_valid(done & goes & draws_what_leaves), .in_ready(gone_tiles_in_ready),
+        .in_data(goes_tile),
+        .out_valid(gone_tiles_out_valid), .out_ready(looks), .out_data(gone_tiles_out_data)
+    );
+
+    stream_skid_w23 read_queue (
         .clk(clk), .rst(rst), .in_valid(asks), .in_ready(read_queue_in_ready),
-        .in_data(read_queue_in_data_bits),
+        .in_data({wanted_surface, wanted_tile, wanted_row, wanted_place, wanted_count}),
         .out_valid(read_valid), .out_ready(read_ready), .out_data(read_queue_out_data)
     );
 
-    stream_fifo_d32_w22_distributed asked_runs (
+    stream_fifo_d32_w23_distributed asked_runs (
         .clk(clk), .rst(rst), .in_valid(asks), .in_ready(asked_runs_in_ready),
-        .in_data(read_queue_in_data_bits),
+        .in_data({wanted_leaves, wanted_tile, wanted_row, wanted_place, wanted_count}),
         .out_valid(asked_runs_out_valid), .out_ready(run_ends), .out_data(asked_runs_out_data)
     );
 
-    stream_fifo_d8_w338_distributed write_queue (
+    stream_fifo_d8_w339_distributed write_queue (
         .clk(clk), .rst(rst), .in_valid(drained_valid), .in_ready(write_queue_in_ready),
         .in_data({
-            goes_tile, drained_pixel, drained_weight, drained_depth, drained_peak, drained_attribute_0,
+            surface, goes_tile, drained_pixel, drained_weight, drained_depth, drained_peak, drained_attribute_0,
             drained_attribute_1, drained_attribute_2, drained_attribute_3, drained_attribute_4,
             drained_attribute_5, drained_attribute_6, drained_attribute_7, drained_attribute_8,
             drained_attribute_9, drained_attribute_10, drained_attribute_11, drained_attribute_12,
@@ -5531,19 +5553,18 @@ module splat_tile_cache (
     always @(posedge clk) begin
         if (rst) begin
             head_valid <= 1'd0;
-            mode <= 2'd0;
-            frame_ended <= 1'd0;
-            place <= 12'd0;
-            walking <= 1'd0;
-            place_read <= 1'd0;
-            place_seen <= 1'd0;
+            clearing <= 1'd1;
+            cleared <= 13'd0;
+            surface <= 1'd0;
             looking <= 1'd0;
             unchanged <= 2'd0;
             changed <= 1'd0;
             moving <= 1'd0;
             wanted_rest <= 64'd0;
             wanted_left <= 8'd0;
-            awaited <= 6'd0;
+            wanted_leaves <= 1'd0;
+            awaited_fills <= 6'd0;
+            awaited_leaving <= 6'd0;
             came <= 3'd0;
             filling <= 1'd0;
             taken_banks <= 2'd0;
@@ -5583,15 +5604,29 @@ module splat_tile_cache (
             ready_7 <= 1'd0;
             in_flight_7 <= 8'd0;
             used_7 <= 1'd0;
+            frame_leaves <= 1'd0;
+            frame_is_given <= 1'd0;
+            any_next_place <= 1'd0;
+            look_reads <= 1'd0;
+            look_is_shown <= 1'd0;
+            look_is_seen <= 1'd0;
+            arrived <= 1'd0;
+            arriving_surface <= 1'd0;
+            whole_frames <= 2'd0;
+            looked_up <= 1'd0;
+            compared <= 1'd0;
+            forgets <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
-            mode <= ((mode_is_0 & last_place) | close) ? 2'd1 : send_end ? 2'd2 : finish ? 2'd3 : mode;
+            head_valid <= head_valid ? ~(send | switches) : in_queue_out_valid;
+            clearing <= clearing & ~(&cleared);
+            surface <= surface ^ switches;
             looking <= job_starts;
             unchanged <= still_unchanged | {2{looking}};
             changed <= change;
             wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_row_ends_both;
-            awaited <= (awaited + {5'd0, asks}) - {5'd0, run_ends};
-            filling <= beat_and_not_mode_is_3 | (filling & ~fills);
+            awaited_fills <= (awaited_fills + {5'd0, asks & ~wanted_leaves}) - {5'd0, run_ends & ~asked_runs_out_leaves};
+            awaited_leaving <= (awaited_leaving + {5'd0, asks & wanted_leaves}) - {5'd0, run_ends & asked_runs_out_leaves};
+            filling <= fill_pixel_enable_both | (filling & ~fills);
             taken_banks <= sample_writes;
             leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
@@ -5603,22 +5638,28 @@ module splat_tile_cache (
             used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
             used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
             used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
-            if (frame_end | finish) frame_ended <= frame_end;
-            if (mode_is_0 | (advance & walking)) place <= place + 12'd1;
-            if (finish | advance) walking <= finish | (walking & ~last_place);
-            if (advance) begin
-                place_read <= walking;
-                place_seen <= place_read;
-            end
+            look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
+            look_is_shown <= look_is_read;
+            look_is_seen <= look_is_shown | (look_is_seen & ~looks);
+            arrived <= arrives_valid;
+            arriving_surface <= arriving_surface ^ frame_is_whole;
+            whole_frames <= (whole_frames + {1'd0, frame_is_whole}) - {1'd0, switches};
+            looked_up <= looked_up_both & ~in_queue_out_end;
+            compared <= looked_up;
+            forgets <= last_reached | forgets_both;
+            if (clearing) cleared <= cleared + 13'd1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
-                wanted_rest <= begins ? mask : (wanted_rest & ~wanted_rest_bits_9);
+                wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits_9);
             end
+            if (begins) wanted_leaves <= sends;
             if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
             if (mask_is_kept | leaving_row_ends) begin
                 leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
             end
-            if (starts | skips | (waits & ~finish)) next <= next_is_7 ? 3'd0 : (next + 3'd1);
+            if (starts | skips | (end_waits & ~switches)) begin
+                next <= next_is_7 ? 3'd0 : (next + 3'd1);
+            end
             if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
             if (ready_0_both | starts_and_next_is_0) ready_0 <= ready_0_both;
             if (in_flight_0_both ^ in_flight_0_enable_both) begin
@@ -5659,6 +5700,11 @@ module splat_tile_cache (
             if (in_flight_7_both ^ in_flight_7_enable_both) begin
                 in_flight_7 <= in_flight_7_both ? (in_flight_7 + 8'd1) : (in_flight_7 - 8'd1);
             end
+            if (frame_begins_to_leave | closes) frame_leaves <= frame_begins_to_leave;
+            if (switches | closes) frame_is_given <= switches;
+            if (next_place_enable_either) begin
+                any_next_place <= frame_begins_to_leave | ~(&next_place);
+            end
         end
     end
     always @(posedge clk) begin
@@ -5675,11 +5721,7 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
             head_splat <= in_queue_out_splat;
         end
-        if (advance) begin
-            read_place <= place;
-            seen_place <= read_place;
-        end
-        if (looking | advance) mask <= stored_mask;
+        if (looking) mask <= stored_mask;
         if (job_starts) begin
             slot <= next;
             comes <= start;
@@ -5688,7 +5730,10 @@ module splat_tile_cache (
             goes_tile <= goes_tile_either_3 | ({12{next_is_7}} & tile_7);
         end
         if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
-        if (begins) wanted_tile <= sends ? seen_place : tile;
+        if (begins) begin
+            wanted_surface <= sends ? surface_xor_frame_is_given : surface;
+            wanted_tile <= sends ? looked_at : tile;
+        end
         if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
         if (start_and_next_is_0) tile_0 <= head_tile;
         is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
@@ -5699,6 +5744,12 @@ module splat_tile_cache (
         is_of_copy_5 <= head_takes ? (tile_5 == in_queue_out_tile) : (is_of_copy_5 | start_and_next_is_5);
         is_of_copy_6 <= head_takes ? (tile_6 == in_queue_out_tile) : (is_of_copy_6 | start_and_next_is_6);
         is_of_copy_7 <= head_takes ? (tile_7 == in_queue_out_tile) : (is_of_copy_7 | start_and_next_is_7);
+        arrived_end <= arrives_end;
+        arrived_tile <= arrives_tile;
+        arrived_splat <= arrives_splat;
+        found_valid <= last_copy[11];
+        found_splat <= last_copy[10:0];
+        overtaken <= looked_up_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (start_and_next_is_1) tile_1 <= head_tile;
         if (start_and_next_is_2) tile_2 <= head_tile;
         if (start_and_next_is_3) tile_3 <= head_tile;
@@ -5706,7 +5757,16 @@ module splat_tile_cache (
         if (start_and_next_is_5) tile_5 <= head_tile;
         if (start_and_next_is_6) tile_6 <= head_tile;
         if (start_and_next_is_7) tile_7 <= head_tile;
-        if (beat_and_not_mode_is_3) begin
+        if (next_place_enable_either) begin
+            next_place <= frame_begins_to_leave ? 12'd0 : (next_place + 12'd1);
+        end
+        if (looks) looked_at <= gone_tiles_out_valid ? gone_tiles_out_data : next_place;
+        if (look_is_shown) begin
+            seen_mask <= stored_mask;
+            seen_stays <= last_copy[11] | (seen_stays_either_3 & ~frame_is_given);
+        end
+        if (last_reached) forgotten <= {surface, head_tile};
+        if (fill_pixel_enable_both) begin
             fill_pixel <= coming_pixel;
             fill_weight <= data_weight;
             fill_depth <= data_depth;
@@ -5733,6 +5793,7 @@ module splat_tile_cache (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        one_copy_is_forgotten_at_a_time: assert (~(last_reached & (forgets & copy_enters)));
         drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
         slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
         slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
@@ -5743,6 +5804,9 @@ module splat_tile_cache (
         slot_6_retires_what_entered: assert (~in_flight_6_enable_both | |in_flight_6);
         slot_7_retires_what_entered: assert (~in_flight_7_enable_both | |in_flight_7);
 `else
+        if (!(~(last_reached & (forgets & copy_enters)))) begin
+            $display("assertion failed: one_copy_is_forgotten_at_a_time in %m"); $stop;
+        end
         if (!(~drained_valid | write_queue_in_ready)) begin
             $display("assertion failed: drained_pixels_find_room in %m"); $stop;
         end
@@ -5777,18 +5841,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 8
-// width = 338
+// width = 339
 // storage = distributed
-module stream_fifo_d8_w338_distributed (
+module stream_fifo_d8_w339_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [337:0] entries [0:7];
+    reg [338:0] entries [0:7];
     reg [3:0] held, waiting;
     reg [2:0] write_address, read_address;
-    reg [337:0] item;
+    reg [338:0] item;
 
     wire has_room = ~held[3];
     wire push = in_valid & has_room;
@@ -5835,18 +5899,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 32
-// width = 22
+// width = 23
 // storage = distributed
-module stream_fifo_d32_w22_distributed (
+module stream_fifo_d32_w23_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [22:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [21:0] entries [0:31];
+    reg [22:0] entries [0:31];
     reg [5:0] held, waiting;
     reg [4:0] write_address, read_address;
-    reg [21:0] item;
+    reg [22:0] item;
 
     wire has_room = ~held[5];
     wire push = in_valid & has_room;
@@ -5892,14 +5956,14 @@ module stream_fifo_d32_w22_distributed (
 endmodule
 
 // Queue of two in registers.
-// width = 22
-module stream_skid_w22 (
+// width = 23
+module stream_skid_w23 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [22:0] out_data
 );
     reg second_valid;
-    reg [21:0] head, second;
+    reg [22:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -5928,6 +5992,64 @@ module stream_skid_w22 (
 `else
         if (!(out_valid | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 12
+// storage = distributed
+module stream_fifo_d16_w12_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [11:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    reg [11:0] item;
+
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
+    end
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
     end
@@ -5979,18 +6101,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 55
+// width = 54
 // storage = distributed
-module stream_fifo_d16_w55_distributed (
+module stream_fifo_d16_w54_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [54:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [54:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [53:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [53:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [54:0] entries [0:15];
+    reg [53:0] entries [0:15];
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    reg [54:0] item;
+    reg [53:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -6563,7 +6685,6 @@ module splat_payloads (
     output wire [11:0] copy_tile,  // Tile index: row above column.
     output wire [10:0] copy_splat,  // Place of its splat's payload.
     input  wire placed_valid, output wire placed_ready,  // Copies that are to be drawn, in any order.
-    input  wire placed_end,  // Closes the frame.
     input  wire [2:0] placed_left,  // First column.
     input  wire [2:0] placed_right,  // Last column.
     input  wire [2:0] placed_top,  // First row.
@@ -6576,7 +6697,6 @@ module splat_payloads (
     input  wire [10:0] placed_splat,  // Place of its splat's payload.
     input  wire [2:0] placed_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // The same with their payload.
-    output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_ax,  // `A` in x.
@@ -6639,7 +6759,6 @@ module splat_payloads (
     reg [3:0] held_last_difference;  // Largest difference.
     reg [11:0] held_tile;
     reg current_valid, beat, out_holds;
-    reg current_end;  // Closes the frame.
     reg [2:0] current_left;  // First column.
     reg [2:0] current_right;  // Last column.
     reg [2:0] current_top;  // First row.
@@ -6653,7 +6772,6 @@ module splat_payloads (
     reg [2:0] current_slot;  // Slot of the tile cache.
     wire [324:0] shown_word;
     reg [324:0] kept_0;
-    reg held_out_end;  // Closes the frame.
     reg [31:0] held_out_center_x;  // Projected center (px), the origin of what follows.
     reg [31:0] held_out_center_y;  // Projected center (px), the origin of what follows.
     reg [31:0] held_out_ax;  // `A` in x.
@@ -6717,7 +6835,7 @@ module splat_payloads (
     wire released_in_ready, released_out_valid;
     wire [10:0] released_out_data;
     wire placed_queue_out_valid;
-    wire [54:0] placed_queue_out_data;
+    wire [53:0] placed_queue_out_data;
 
     wire ready = ~holds & (closes_in_ready & (has_free | passes));
     wire copy_shown = holds & (~writing | word);
@@ -6742,7 +6860,6 @@ module splat_payloads (
     wire take = ready & in_valid;
     wire needs_place = in_first & ~in_end;
     wire begins_splat = take & needs_place;
-    wire placed_queue_out_end = placed_queue_out_data[54];
     wire [2:0] placed_queue_out_left = placed_queue_out_data[53:51];
     wire [2:0] placed_queue_out_right = placed_queue_out_data[50:48];
     wire [2:0] placed_queue_out_top = placed_queue_out_data[47:45];
@@ -6753,7 +6870,6 @@ module splat_payloads (
     wire [3:0] placed_queue_out_last_difference = placed_queue_out_data[29:26];
     wire [11:0] placed_queue_out_tile = placed_queue_out_data[25:14];
     wire [2:0] placed_queue_out_slot = placed_queue_out_data[2:0];
-    wire is_left = leaves & ~current_end;
     wire begins = left_valid | closes_out_valid;
     wire [12:0] closes_out_copies = closes_out_data[12:0];
     wire [12:0] sum_choice = follows_earlier ? earlier_number : follows_earliest ? earliest_number : balance;
@@ -6773,7 +6889,6 @@ module splat_payloads (
     assign copy_tile = held_tile;
     assign copy_splat = place;
     assign out_valid = out_holds;
-    assign out_end = held_out_end;
     assign out_center_x = held_out_center_x;
     assign out_center_y = held_out_center_y;
     assign out_ax = held_out_ax;
@@ -6841,10 +6956,10 @@ module splat_payloads (
         .out_valid(released_out_valid), .out_ready(takes_free), .out_data(released_out_data)
     );
 
-    stream_skid_w55 placed_queue (
+    stream_skid_w54 placed_queue (
         .clk(clk), .rst(rst), .in_valid(placed_valid), .in_ready(placed_ready),
         .in_data({
-            placed_end, placed_left, placed_right, placed_top, placed_bottom, placed_first_sum, placed_last_sum,
+            placed_left, placed_right, placed_top, placed_bottom, placed_first_sum, placed_last_sum,
             placed_first_difference, placed_last_difference, placed_tile, placed_splat, placed_slot
         }),
         .out_valid(placed_queue_out_valid), .out_ready(advance), .out_data(placed_queue_out_data)
@@ -6873,7 +6988,7 @@ module splat_payloads (
             passes <= in_valid & ~ready & ~needs_place;
             open <= begins_splat | (open & ~closes_splat);
             writing <= writing ? ~word : begins_splat;
-            left_valid <= is_left;
+            left_valid <= leaves;
             reading_valid <= begins;
             caught_valid <= reading_valid;
             added_valid <= caught_valid;
@@ -6922,7 +7037,6 @@ module splat_payloads (
         end
         if (advance_or_not_beat) beat <= beat_choice;
         if (advance) begin
-            current_end <= placed_queue_out_end;
             current_left <= placed_queue_out_left;
             current_right <= placed_queue_out_right;
             current_top <= placed_queue_out_top;
@@ -6937,7 +7051,6 @@ module splat_payloads (
         end
         if (~beat) kept_0 <= shown_word;
         if (out_room) begin
-            held_out_end <= current_end;
             held_out_center_x <= kept_0[324:293];
             held_out_center_y <= kept_0[292:261];
             held_out_ax <= kept_0[260:229];
@@ -6998,14 +7111,14 @@ module splat_payloads (
 endmodule
 
 // Queue of two in registers.
-// width = 55
-module stream_skid_w55 (
+// width = 54
+module stream_skid_w54 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [54:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [54:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [53:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [53:0] out_data
 );
     reg second_valid;
-    reg [54:0] head, second;
+    reg [53:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

@@ -75,7 +75,7 @@
 #define SPLAT_HEIGHT 128u /* rows of samples */
 #define SPLAT_FLIPQUAD 0 /* two columns of samples a pixel, else one in its middle */
 #define SPLAT_TILE_SIZE 8u /* edge of a tile, in samples */
-#define SPLAT_BUFFER_BYTES 524288u /* the reconstruction buffer */
+#define SPLAT_BUFFER_BYTES 1048576u /* the reconstruction buffer */
 #define SPLAT_CONTINUOUS 3u /* attributes that are blended */
 #define SPLAT_CARDINAL 0u /* attributes that are selected */
 #define SPLAT_CULLING 1 /* splats that face away from the eye are not drawn */

@@ -51,11 +51,11 @@ module splat_axi (
     reg [7:0] pixels_awaited, pixels_held;
     reg has_ended;
 
-    wire core_splat_ready, core_read_valid;
+    wire core_splat_ready, core_read_valid, core_read_surface;
     wire [7:0] core_read_tile;
     wire [5:0] core_read_pixel;
     wire [3:0] core_read_count;
-    wire core_data_ready, core_write_valid;
+    wire core_data_ready, core_write_valid, core_write_surface;
     wire [7:0] core_write_tile;
     wire [5:0] core_write_pixel;
     wire [27:0] core_write_weight;
@@ -99,9 +99,11 @@ module splat_axi (
     wire has_ended_both = has_ended & ~registers_start;
     wire is_idle = fragments_idle & writes_idle;
     wire rst_or_early_end_aborts = rst | early_end_aborts;
-    wire [31:0] run_address = registers_buffer_base + {13'd0, core_read_tile, core_read_pixel, 5'd0};
+    wire [31:0] run_address_bits = {12'd0, core_read_surface, core_read_tile, core_read_pixel, 5'd0};
+    wire [31:0] run_address = registers_buffer_base + run_address_bits;
     wire reads_record_ready = pixels_in_ready | early_end_aborts;
-    wire [31:0] pixel_address = registers_buffer_base + {13'd0, core_write_tile, core_write_pixel, 5'd0};
+    wire [31:0] pixel_address_bits = {12'd0, core_write_surface, core_write_tile, core_write_pixel, 5'd0};
+    wire [31:0] pixel_address = registers_buffer_base + pixel_address_bits;
     wire quiet = is_idle & (pixels_awaited == 8'd0);
     wire run_begins = core_read_valid & core_read_ready;
     wire [7:0] pixels_held_bits = {4'd0, {4{run_begins}} & core_read_count};
@@ -119,15 +121,15 @@ module splat_axi (
         .splat_tangent2_x(splats_out_tangent2_x), .splat_tangent2_y(splats_out_tangent2_y),
         .splat_tangent2_z(splats_out_tangent2_z), .splat_attribute_0(splats_out_attribute_0),
         .splat_attribute_1(splats_out_attribute_1), .splat_attribute_2(splats_out_attribute_2),
-        .read_valid(core_read_valid), .read_ready(core_read_ready), .read_tile(core_read_tile),
-        .read_pixel(core_read_pixel), .read_count(core_read_count),
+        .read_valid(core_read_valid), .read_ready(core_read_ready), .read_surface(core_read_surface),
+        .read_tile(core_read_tile), .read_pixel(core_read_pixel), .read_count(core_read_count),
         .data_valid(pixels_out_valid), .data_ready(core_data_ready), .data_weight(pixels_out_weight),
         .data_depth(pixels_out_depth), .data_attribute_0(pixels_out_attribute_0),
         .data_attribute_1(pixels_out_attribute_1), .data_attribute_2(pixels_out_attribute_2),
-        .write_valid(core_write_valid), .write_ready(core_write_ready), .write_tile(core_write_tile),
-        .write_pixel(core_write_pixel), .write_weight(core_write_weight), .write_depth(core_write_depth),
-        .write_attribute_0(core_write_attribute_0), .write_attribute_1(core_write_attribute_1),
-        .write_attribute_2(core_write_attribute_2),
+        .write_valid(core_write_valid), .write_ready(core_write_ready), .write_surface(core_write_surface),
+        .write_tile(core_write_tile), .write_pixel(core_write_pixel), .write_weight(core_write_weight),
+        .write_depth(core_write_depth), .write_attribute_0(core_write_attribute_0),
+        .write_attribute_1(core_write_attribute_1), .write_attribute_2(core_write_attribute_2),
         .fragment_valid(core_fragment_valid), .fragment_ready(fragments_in_ready),
         .fragment_end(core_fragment_end), .fragment_column(core_fragment_column),
         .fragment_row(core_fragment_row), .fragment_depth(core_fragment_depth),

@@ -148,11 +148,11 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module search_axi_test;
-    localparam WORDS = 16917;
+    localparam WORDS = 16584;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6;
-    localparam [31:0] NUMBER_MASK = 32'hffff, END_MASK = 32'h0;
+    localparam [31:0] NAME_MASK = 32'hffff, SECOND_NAME_MASK = 32'h0, END_MASK = 32'h0;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -389,10 +389,10 @@ module search_axi_test;
         if (send_last) packets_given <= packets_given + 1;
     end
 
-    // Packets from the core: those of a query in their order, queries in any order.
-    reg [31:0] answer_number [0:63];
-    integer answer_next [0:63];
-    integer answer_packets [0:63];
+    // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
+    // that closes a frame, which is the last.
+    integer answer_next [0:127];
+    integer answer_packets [0:127];
     integer answers = 0, packets_left = 0, packets_received = 0, receive_beat = 0, found;
     reg [32*PACKET_WORDS-1:0] packet;
     reg received_packet = 1'b0;
@@ -406,15 +406,25 @@ module search_axi_test;
         .payload({receive_tlast, receive_tdata}), .moves(receive_moves)
     );
 
+    function is_of_answer(input integer next);
+        if (((packet[31:0] | words[next]) & END_MASK) != 0) is_of_answer = (packet[31:0] & words[next] & END_MASK) != 0;
+        else begin
+            is_of_answer = ((packet[31:0] ^ words[next]) & NAME_MASK) == 0;
+            for (int k = 1; k < PACKET_WORDS && k < 2; k = k + 1)
+                if (((packet[32*k +: 32] ^ words[next + k]) & SECOND_NAME_MASK) != 0) is_of_answer = 1'b0;
+        end
+    endfunction
+
     task compare;
         begin
             found = -1;
             for (int k = 0; k < answers; k = k + 1)
-                if (answer_packets[k] != 0 && answer_number[k] == (packet[31:0] & NUMBER_MASK)) found = k;
+                if (answer_packets[k] != 0 && is_of_answer(answer_next[k])) found = k;
             if (found < 0) $fatal(1, "FAILED: a packet that must not come: %h", packet);
             else begin
                 // Of the packet that closes a frame nothing else counts.
                 closes = (words[answer_next[found]] & END_MASK) != 0;
+                if (closes && packets_left != 1) $fatal(1, "FAILED: a frame ends, and %0d packets are missing", packets_left - 1);
                 for (int k = 0; k < PACKET_WORDS; k = k + 1) begin
                     counts = !closes ? ~32'd0 : k == 0 ? END_MASK : 32'd0;
                     if (((packet[32*k +: 32] ^ words[answer_next[found] + k]) & counts) != 0)
@@ -772,11 +782,10 @@ module search_axi_test;
                     answers = word[31:8];
                     packets_left = 0;
                     for (int k = 0; k < answers; k = k + 1) begin
-                        answer_number[k] = words[at];
-                        answer_next[k] = words[at + 1];
-                        answer_packets[k] = words[at + 2];
-                        packets_left = packets_left + words[at + 2];
-                        at = at + 3;
+                        answer_next[k] = words[at];
+                        answer_packets[k] = words[at + 1];
+                        packets_left = packets_left + words[at + 1];
+                        at = at + 2;
                     end
                 end
                 8'd10: while (packets_left > word[31:8]) @(negedge clk);
