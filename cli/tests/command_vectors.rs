@@ -102,8 +102,8 @@ fn a_frame_is_what_the_model_renders() {
     assert_eq!(frame.register("m00").map(|(address, _)| address), Some(0x100));
     assert_eq!(frame.register("filter_scale").map(|(address, _)| address), Some(0x158));
     let buffer = frame.region("pixel");
-    // 20 × 12 pixels are in 3 × 2 tiles, whose numbers have 2 + 1 bits.
-    assert_eq!(buffer["bytes"].as_u64(), Some(8 * 64 * buffer["stride"].as_u64().unwrap()));
+    // 20 × 12 pixels are in 3 × 2 tiles, whose numbers have 2 + 1 bits, on two surfaces.
+    assert_eq!(buffer["bytes"].as_u64(), Some(2 * 8 * 64 * buffer["stride"].as_u64().unwrap()));
 
     let splats = frame.packets("send");
     assert_eq!(splats.iter().map(|splat| splat("end")).collect::<Vec<_>>(), [vec![0; 40], vec![1]].concat());

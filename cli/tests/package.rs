@@ -59,9 +59,11 @@ fn check(core: &str, folder: &Path) {
 
     let vectors = folder.join(format!("{core}_test.hex"));
     let recorded = read(&vectors);
+    // In the midst of the run: at its beginning the core clears its memories, and some inputs mean nothing.
+    let middle = recorded.lines().count() / 2;
     let wrong = recorded.lines().enumerate().map(|(place, word)| {
         let bits = u64::from_str_radix(word, 16).expect("a word");
-        format!("{:016x}\n", if place == 100 { !bits } else { bits })
+        format!("{:016x}\n", if place == middle { !bits } else { bits })
     });
     fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
     let (passed, text) = simulated(core, folder);
