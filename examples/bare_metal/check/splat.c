@@ -253,6 +253,15 @@ static void check_refusals(const struct splat_core *splat)
     check_errors(core, (struct core_errors){0, 0, 0, 0, 0});
 }
 
+/* The order of the image: tiles come in any. */
+static int by_place(const void *one, const void *other)
+{
+    const struct splat_sample *const a = one, *const b = other;
+    const int64_t distance =
+        ((int64_t)a->row - b->row) * SPLAT_WIDTH + (int64_t)a->column - b->column;
+    return (distance > 0) - (distance < 0);
+}
+
 /* The same frame again, sample by sample as it was: after others, after one whose end was lost. */
 static void check_abort(const struct splat_core *splat)
 {
@@ -260,6 +269,7 @@ static void check_abort(const struct splat_core *splat)
     const struct platform link = losing(splat->core.platform, DISCS);
     uint32_t samples, first;
     check_frame(splat, &first);
+    qsort(frame, first, sizeof *frame, by_place);
     for (uint32_t i = 0; i < first; i++)
         before[i] = frame[i];
     lossy.core.platform = &link;
@@ -268,6 +278,7 @@ static void check_abort(const struct splat_core *splat)
     CHECK(samples == 0, "%u fragments before the end was sent", samples);
     check_frame(splat, &samples);
     CHECK(samples == first, "%u and %u samples", first, samples);
+    qsort(frame, samples, sizeof *frame, by_place);
     for (uint32_t i = 0; i < samples && i < first; i++) {
         bool is_same = frame[i].column == before[i].column && frame[i].row == before[i].row &&
                        frame[i].depth == before[i].depth;
