@@ -154,10 +154,12 @@ static uint32_t wrong_samples(const struct splat_frame *seen, uint32_t drawn, ui
         found[i] = -1;
     for (uint32_t i = 0; i < samples; i++) {
         const bool is_inside = frame[i].column < SPLAT_WIDTH && frame[i].row < SPLAT_HEIGHT;
-        if (!is_inside || (i && rank(&frame[i]) <= rank(&frame[i - 1])))
+        int32_t *place = &found[is_inside ? frame[i].row * SPLAT_WIDTH + frame[i].column : 0];
+        const bool is_behind = i && rank(&frame[i]) / 64 == rank(&frame[i - 1]) / 64 && rank(&frame[i]) < rank(&frame[i - 1]);
+        if (!is_inside || is_behind || *place >= 0)
             wrong++;
         else
-            found[frame[i].row * SPLAT_WIDTH + frame[i].column] = (int32_t)i;
+            *place = (int32_t)i;
     }
     for (uint32_t row = 0; row < SPLAT_HEIGHT; row++)
         for (uint32_t column = 0; column < SPLAT_WIDTH; column++) {
