@@ -235,30 +235,51 @@ module proof (input clk);
 
 `ifdef STEADY
     // Tiles leave and come back soon, and few ways lead there: copies of three tiles come in turn, each with a sample when its slot is
-    // ready, and frames follow each other. Samples have the banks in every second cycle, and may stay while a pixel is to be drained;
-    // nothing else waits but the buffer's writes, and for ever a copy that is late, and what is in the second slot.
-    (* anyseq *) reg first_go, samples_stay;
+    // ready, and frames follow each other. Samples have the banks in every second cycle; little else waits.
+    (* anyseq *) reg samples_stay;
     (* anyconst *) reg [2:0] late;
-    (* anyconst *) reg keeps_second;
+    (* anyconst *) reg first_go, keeps_second;
     reg samples_go;
-    reg [1:0] next_tile = 0;
+    reg [1:0] next_tile;
+    wire [1:0] arrives_next;
     reg [2:0] arrived = 0;
     always @(posedge clk) begin
         samples_go <= rst ? first_go : !samples_go;
-        if (arrives_valid && !arrives_end) next_tile <= next_tile == 2 ? 0 : next_tile + 1;
         if (arrives_valid) arrived <= arrived + !(&arrived);
     end
     wire [1:0] done = {slot_ready[1] && under_way[1] != 0 && !keeps_second, slot_ready[0] && under_way[0] != 0};
     wire [COPIES-1:0] waiting = may_come & ~is_late;
     assign arrives_late = arrived == late && !(&late);
     always @* if (!rst) begin
-        assume (arrives_valid == !(full || was_arrival || &kept) && arrives_tile == next_tile);
+        assume (arrives_valid == !(full || was_arrival || &kept) && arrives_tile == arrives_next);
         assume (in_valid == (waiting != 0) && (waiting & ((1 << turn) - 1)) == 0 && (!in_valid || waiting[turn]));
-        assume (out_ready && read_ready == (owed != 3) && pixel_ready && data_valid == (owed != 0) && (!samples_stay || drain_enable));
-        assume (sample_reads == {2{samples_go || samples_stay}} && sample_writes == {2{samples_go}} && (!sampled || sampled_place != 1));
+        assume (out_ready && read_ready == (owed != 3) && pixel_ready && data_valid == (owed != 0));
+        assume (sample_reads == {2{samples_go || samples_stay}} && sample_writes == {2{samples_go}});
         assume (retire_valid == (done != 0) && retire_slot == !done[0]);
         assume (sampled == retire_valid && sampled_slot == retire_slot);
     end
+`ifdef LATE
+    // One copy, of the tile of the one before it, does not come, and the second slot may keep what it has, while others go on and a
+    // frame ends. The tile looked at last comes first, and samples come to the watched place.
+    reg [1:0] same_tile = 3;
+    initial next_tile = 3;
+    assign arrives_next = arrives_late ? same_tile : next_tile;
+    always @(posedge clk) if (arrives_valid && !arrives_end) begin
+        same_tile <= arrives_tile;
+        if (!arrives_late) next_tile <= next_tile == 1 ? 3 : next_tile - 1;
+    end
+    always @* if (!rst) begin
+        assume (!first_go && !samples_stay && write_ready && (!sampled || sampled_place == 0));
+        assume (place == 0 && !data_any && !held_any);
+    end
+`else
+    // Samples may stay while a pixel is to be drained, and the buffer's writes wait.
+    initial next_tile = 0;
+    assign arrives_next = next_tile;
+    always @(posedge clk) if (arrives_valid && !arrives_end) next_tile <= next_tile == 2 ? 0 : next_tile + 1;
+    always @* assume (&late && !keeps_second);
+    always @* if (!rst) assume ((!samples_stay || drain_enable) && (!sampled || sampled_place != 1));
+`endif
 `else
     assign arrives_late = 0;
 `endif
@@ -309,25 +330,25 @@ module proof (input clk);
 `ifdef STEADY
     // It goes on: a step is never more than PATIENCE cycles away in which the neighbors let it. Of a frame of tiles that nothing was
     // drawn to nothing shows while their codes pass.
-    localparam PATIENCE = 20;
+    localparam PATIENCE = 9;
     wire moves = comes || placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains
         || changes != 0;
     reg [5:0] stands = 0;
     always @(posedge clk) if (!rst) begin
-        stands <= moves || full || keeps_second || (kept & is_late) != 0 ? 0 : stands + ((write_ready || !write_valid) && sample_reads == 0);
+        stands <= moves || keeps_second || (kept & is_late) != 0 ? 0 : stands + ((write_ready || !write_valid) && sample_reads == 0);
         goes_on: assert (stands <= PATIENCE);
     end
 
-    // A pixel that went to the buffer and came back gets another sample.
+    // A pixel that went to the buffer and came back gets another sample; a frame with samples is closed; its pixels are sent while copies
+    // of it are to come, and while the next one is drawn; pixels of a second frame are sent.
     reg was_written = 0, was_loaded = 0;
     always @(posedge clk) if (!rst) begin
         was_written <= was_written || (is_written && must);
         was_loaded <= was_loaded || (was_written && is_filled && fill_value[0]);
         comes_back: cover (was_loaded && is_own);
-        sent_off: cover (is_sent);
         closed: cover (closes && seen);
-        while_drawn: cover (is_sent && unsent != 0 && begun);
         leaves_early: cover (is_sent && unsent == 0);
+        leaves_behind: cover (is_sent && unsent != 0 && begun);
         second: cover (is_sent && sending == 1);
     end
 `else

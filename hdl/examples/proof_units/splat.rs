@@ -30,13 +30,18 @@ fn heaps() -> [Proof; 3] {
     [heap("splat_heap", 2, 2, 2), heap("splat_heap_slow", 2, 4, 2), heap("splat_heap_deep", 3, 2, 3)]
 }
 
-/// A cache of two slots for four tiles, with short queues, with neighbors of all kinds and with some that never wait.
-fn tile_caches() -> [Proof; 2] {
+/// A cache of two slots for four tiles, with short queues, with neighbors of all kinds, with some that never wait, and with a
+/// copy that is late.
+fn tile_caches() -> [Proof; 3] {
     const DEPTHS: Depths = Depths { placed: 2, asked: 2, written: 2 };
     let config = Config { splat_levels: 0, tile_slots: 2, ..copies() };
     let sizes = [("ATTRIBUTE_BITS", config.attribute.width()), ("SPLAT_BITS", config.splat_bits())];
     let cache = |name| Proof::new(name, tile_cache::sized(&config, DEPTHS), &sizes);
-    [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
+    [
+        cache("splat_tile_cache"),
+        Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") },
+        Proof { flags: vec!["STEADY", "LATE"], ..cache("splat_tile_cache_late") },
+    ]
 }
 
 /// Payloads of one splat, in one word and in two, with neighbors of all kinds and with some that never wait, and of two splats.
