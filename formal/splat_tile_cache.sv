@@ -269,7 +269,7 @@ module proof (input clk);
         if (!arrives_late) next_tile <= next_tile == 1 ? 3 : next_tile - 1;
     end
     always @* if (!rst) begin
-        assume (!first_go && !samples_stay && write_ready && (!sampled || sampled_place == 0));
+        assume (first_go && !samples_stay && write_ready && (!sampled || sampled_place == 0));
         assume (place == 0 && !data_any && !held_any);
     end
 `else
