@@ -4946,7 +4946,7 @@ module splat_tile_cache (
     input  wire arrives_valid,  // Copies as they come before they are put in order.
     input  wire arrives_end,  // Closes the frame.
     input  wire [11:0] arrives_tile,  // Tile index: row above column.
-    input  wire [10:0] arrives_splat,  // Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    input  wire [10:0] arrives_splat,  // Place of its splat's payload: no other copy for the tile has it before the tile cache has passed this one on.
     output wire full,  // As many frames are under way as there are surfaces: no copy of another may come.
     output wire change_valid,  // A slot gets another tile, until that is carried out in every bank.
     output wire [2:0] change_slot,  // Slot of the tile cache.
@@ -5122,7 +5122,7 @@ module splat_tile_cache (
     reg arrived;
     reg arrived_end;  // Closes the frame.
     reg [11:0] arrived_tile;  // Tile index: row above column.
-    reg [10:0] arrived_splat;  // Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    reg [10:0] arrived_splat;  // Place of its splat's payload: no other copy for the tile has it before the tile cache has passed this one on.
     reg arriving_surface;
     reg [1:0] whole_frames;
     wire [11:0] last_copy;

@@ -141,7 +141,7 @@ pub struct ArrivedCopy {
     /// Tile index: row above column.
     #[bits(config.tile_bits())]
     pub tile: u32,
-    /// Place of its splat's payload: no other copy for the tile has it before this one has reached the tile cache.
+    /// Place of its splat's payload: no other copy for the tile has it before the tile cache has passed this one on.
     #[bits(config.splat_bits())]
     pub splat: u16,
 }
