@@ -319,6 +319,7 @@ int main(int arguments, char **argument)
 
     random_state = seed;
     scatter();
+    CHECK(BUFFER_BASE + SPLAT_BUFFER_BYTES <= BOARD_MEMORY_BYTES, "memory ends within the buffer");
     CHECK_STATUS(splat_open(&splat, &platform, PATIENCE, BUFFER_BASE), CORE_OK);
     CHECK_STATUS(splat_set_frame(&splat, &view), CORE_OK);
     check_frame(&splat, &samples);

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* Bytes of memory, from address 0 on; what is beyond answers with an error. */
-#define BOARD_MEMORY_BYTES ((uint32_t)1 << 24)
+#define BOARD_MEMORY_BYTES ((uint32_t)1 << 26)
 
 /* Powers a board up, memory and registers holding anything, and resets it. The seed draws these and all stalls. */
 struct platform board_open(uint32_t seed);
