@@ -82,6 +82,7 @@ class Status(IntFlag):
     BUSY = 1
     DONE = 2
     ERROR = 4
+    WAITING = 8
 
 
 class Host:
@@ -196,8 +197,8 @@ class Host:
         """The next packets from the core."""
         return [bytes((await self.sink.recv()).tdata) for _ in range(count)]
 
-    async def finish(self) -> None:
-        """Waits for the end of a run whose packets have been received, and checks what it counted."""
+    async def finish(self, times: int = 1) -> None:
+        """Waits for the end of a run whose packets have been sent so many times, and received, and checks what it counted."""
         if await self.read(Register.INTERRUPT_ENABLE):
             await ReadOnly()
             if not self.dut.irq.value:
@@ -209,9 +210,10 @@ class Host:
         await ClockCycles(self.dut.clk, SETTLE_CYCLES)
         assert self.sink.empty(), "packets after the end of the run"
         assert self.source.idle(), "packets that were not taken"
-        assert await self.read(Register.PACKETS_IN) == len(self.vectors.send.packets)
+        packets = times * len(self.vectors.send.packets)
+        assert await self.read(Register.PACKETS_IN) == packets
         cycles = await self.read(Register.CYCLES)
-        assert cycles >= len(self.vectors.send.packets)
+        assert cycles >= packets
         assert cycles == await self.read(Register.CYCLES), "cycles are counted after the run"
 
 

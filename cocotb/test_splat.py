@@ -3,20 +3,28 @@
 import cocotb
 from cocotb.handle import HierarchyObject
 from cocotb.triggers import ClockCycles
+from cocotbext.axi import AxiResp
 from host import SEEDS, SETTLE_CYCLES, TIMEOUT_MS, Control, Host, Register, Status
 
 FIRST_UNIFORM = 0x100
 
 
-async def receive_frame(host: Host) -> None:
-    """Receives a frame, compares it, and sees the run end."""
+async def receive_frame(host: Host, frames: int = 1) -> None:
+    """Receives a run's frames, which are all the same, compares them, and sees the run end."""
     expected = host.vectors.receive
-    received = await host.receive(len(expected.packets))
-    # Tiles come in any order, and of the last packet only `end` counts.
-    assert sorted(received[:-1]) == sorted(expected.packets[:-1])
-    assert [expected.value(packet, "end") for packet in received[-2:]] == [0, 1]
-    await host.finish()
-    assert await host.read(Register.PACKETS_OUT) == len(expected.packets)
+    for _ in range(frames):
+        received = await host.receive(len(expected.packets))
+        # Tiles come in any order, and of the last packet only `end` counts.
+        assert sorted(received[:-1]) == sorted(expected.packets[:-1])
+        assert [expected.value(packet, "end") for packet in received[-2:]] == [0, 1]
+    await host.finish(frames)
+    assert await host.read(Register.PACKETS_OUT) == frames * len(expected.packets)
+
+
+async def begun(host: Host) -> None:
+    """Sees a start's frame begin."""
+    while await host.read(Register.STATUS) & Status.WAITING:
+        pass
 
 
 @cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
@@ -41,11 +49,32 @@ async def frames_are_the_models(dut: HierarchyObject, seed: int) -> None:
 
 
 @cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
-@cocotb.parametrize(seed=SEEDS[-1:])
-async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, seed: int) -> None:
-    """Starts, resets, uniforms and bases during a frame, and broken packets between the good ones."""
+@cocotb.parametrize(seed=SEEDS)
+async def frames_follow_each_other(dut: HierarchyObject, seed: int) -> None:
+    """Each is started while the one before is drawn, which what is written then does not disturb."""
     host = await Host.begin(dut, seed)
     await host.set_up()
+    for _ in range(3):
+        await host.start()
+        host.send(host.vectors.send.packets)
+        await begun(host)
+        await host.write(FIRST_UNIFORM, host.random.getrandbits(32))
+        assert await host.try_write(Register.BASE, bytes(4)) == AxiResp.SLVERR, "a run is under way"
+        for address, value in host.vectors.registers.values():
+            if address >= FIRST_UNIFORM:
+                await host.write(address, value)
+    await receive_frame(host, frames=3)
+    assert await host.errors() == {"busy_errors": 3}
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS[-1:])
+async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, seed: int) -> None:
+    """Starts, resets, uniforms and bases while a start waits, and broken packets between the good ones."""
+    host = await Host.begin(dut, seed)
+    await host.set_up()
+    await host.start()
+    await begun(host)
     await host.start()
     beat = host.vectors.stream_bytes
     broken = 0
@@ -70,9 +99,9 @@ async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, see
     ]
     for address, value in refusals:
         await host.refused(address, value)
-    assert await host.read(Register.STATUS) == Status.BUSY | Status.ERROR
-    host.send([end])
-    await receive_frame(host)
+    assert await host.read(Register.STATUS) == Status.BUSY | Status.ERROR | Status.WAITING
+    host.send([end, *splats, end])
+    await receive_frame(host, frames=2)
     assert await host.errors() == {"busy_errors": len(refusals), "packet_errors": broken}
 
 

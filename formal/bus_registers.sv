@@ -13,7 +13,7 @@ module proof (input clk);
     (* anyseq *) reg [11:0] s_axil_awaddr, s_axil_araddr;
     (* anyseq *) reg [31:0] s_axil_wdata;
     (* anyseq *) reg [3:0] s_axil_wstrb;
-    (* anyseq *) reg finished, occupied, busy_error, packet_error, memory_error, packet_taken, packet_sent, event_seen;
+    (* anyseq *) reg finished, begun, occupied, busy_error, packet_error, memory_error, packet_taken, packet_sent, event_seen;
     (* anyseq *) reg [1:0] burst_error;
     wire s_axil_awready, s_axil_wready, s_axil_bvalid, s_axil_arready, s_axil_rvalid;
     wire [1:0] s_axil_bresp, s_axil_rresp;
@@ -52,7 +52,7 @@ module proof (input clk);
     reg [11:0] address, read_address;
     reg [31:0] data;
     reg [3:0] strobes;
-    reg write_shown = 0, read_shown = 0, busy_before = 0, occupied_before, finished_before, start_before = 0;
+    reg write_shown = 0, read_shown = 0, busy_before = 0, occupied_before, finished_before, begun_before, run_begun_before = 0;
     always @(posedge clk) begin
         if (addressed) address <= s_axil_awaddr;
         if (given) {data, strobes} <= {s_axil_wdata, s_axil_wstrb};
@@ -60,26 +60,28 @@ module proof (input clk);
         write_shown <= !rst && s_axil_bvalid && !s_axil_bready;
         read_shown <= !rst && s_axil_rvalid && !s_axil_rready;
         busy_before <= !rst && busy;
-        start_before <= !rst && start;
-        {occupied_before, finished_before} <= {occupied, finished};
+        run_begun_before <= !rst && start && !busy_before;
+        {occupied_before, finished_before, begun_before} <= {occupied, finished, begun};
     end
 
     // A write is judged in the cycle before its answer shows.
     reg [31:0] base_before = 0, queries_before = 0;
     reg [VALUE_BITS-1:0] scale_before = 0;
-    reg enable_before = 0, done_before = 0;
+    reg enable_before = 0, done_before = 0, waiting_before = 0;
     wire judged = s_axil_bvalid && !write_shown;
     wire to_uniform = address >= UNIFORMS && address < UNIFORMS + 4 * UNIFORM_COUNT;
     wire to_setting = address == BASE || address == QUERIES || address == SCALE;
     wire wants_start = address == CONTROL && data[0];
     wire wants_reset = address == CONTROL && data[1];
     wire is_write = address[1:0] == 0 && &strobes && (to_uniform || to_setting || address == CONTROL || address == INTERRUPT_ENABLE);
-    wire is_blocked = (busy_before && (to_uniform || to_setting || wants_start || wants_reset)) || (wants_start && occupied_before);
+    wire is_blocked = (busy_before && (to_setting || wants_reset)) || (waiting_before && (to_uniform || wants_start))
+        || (wants_start && occupied_before);
     wire is_senseless = (address == BASE && data[11:0] != 0) || (wants_start && queries_before == 0);
     wire accepted = is_write && !is_blocked && !is_senseless;
     wire carried_out = judged && accepted;
     wire clears = carried_out && address == CONTROL && data[2];
     wire enable = carried_out && address == INTERRUPT_ENABLE ? data[0] : enable_before;
+    wire waiting = start || (waiting_before && !begun_before && !finished_before);
     wire done = !start && (done_before || (busy_before && finished_before));
     always @(posedge clk) begin
         base_before <= rst ? 0 : base;
@@ -87,6 +89,7 @@ module proof (input clk);
         scale_before <= rst ? 0 : scale;
         enable_before <= !rst && enable;
         done_before <= !rst && done;
+        waiting_before <= !rst && waiting;
     end
     always @(posedge clk) if (!rst) begin
         refused_as_told: assert (!judged || s_axil_bresp == (accepted ? OKAY : SLVERR));
@@ -110,7 +113,7 @@ module proof (input clk);
     wire is_read = read_address[1:0] == 0 && (from_counter || read_address == ID || read_address == STATUS
         || read_address == INTERRUPT_ENABLE || read_address == BASE || read_address == QUERIES || read_address == SCALE);
     reg error_before = 0;
-    wire [31:0] value = read_address == ID ? IDENTITY : read_address == STATUS ? {error_before, done_before, busy_before}
+    wire [31:0] value = read_address == ID ? IDENTITY : read_address == STATUS ? {waiting_before, error_before, done_before, busy_before}
         : read_address == INTERRUPT_ENABLE ? enable_before : read_address == BASE ? base_before
         : read_address == QUERIES ? queries_before : scale_before;
     reg irq_expected = 0;
@@ -136,7 +139,7 @@ module proof (input clk);
     wire any_error = (judged && !accepted) || (read && !is_read) || burst_error_before != 0 || happened[1] || happened[4:3] != 0;
     reg clears_before = 0;
     reg [5:0] count_before = 0, count_asked;
-    wire resets = counter < ERROR_COUNTERS ? clears_before : start_before;
+    wire resets = counter < ERROR_COUNTERS ? clears_before : run_begun_before;
     wire [5:0] count = (resets ? 0 : count_before) + more;
     reg undisturbed = 0;
     always @(posedge clk) begin
@@ -169,5 +172,6 @@ module proof (input clk);
         cover (irq && count != 0);
         cover (read && read_address == counter_address && counter >= ERROR_COUNTERS && told_before != 0 && s_axil_rdata > told_before);
         cover (clears && error_before);
+        cover (start && busy_before && waiting_before == 0 && count_before != 0);
     end
 endmodule

@@ -14,7 +14,7 @@ module splat_pins (
     reg [23:0] drive_splat_tangent1_y, drive_splat_tangent1_z, drive_splat_tangent2_x, drive_splat_tangent2_y;
     reg [23:0] drive_splat_tangent2_z;
     reg [11:0] drive_splat_attribute_0, drive_splat_attribute_1, drive_splat_attribute_2;
-    reg catch_read_valid, drive_read_ready, catch_read_surface;
+    reg catch_frame_set_up, catch_read_valid, drive_read_ready, catch_read_surface;
     reg [11:0] catch_read_tile;
     reg [5:0] catch_read_pixel;
     reg [3:0] catch_read_count;
@@ -40,7 +40,7 @@ module splat_pins (
     reg [1:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready, unit_read_valid, unit_read_surface;
+    wire unit_splat_ready, unit_frame_set_up, unit_read_valid, unit_read_surface;
     wire [11:0] unit_read_tile;
     wire [5:0] unit_read_pixel;
     wire [3:0] unit_read_count;
@@ -153,6 +153,7 @@ module splat_pins (
         .splat_tangent2_x(drive_splat_tangent2_x), .splat_tangent2_y(drive_splat_tangent2_y),
         .splat_tangent2_z(drive_splat_tangent2_z), .splat_attribute_0(drive_splat_attribute_0),
         .splat_attribute_1(drive_splat_attribute_1), .splat_attribute_2(drive_splat_attribute_2),
+        .frame_set_up(unit_frame_set_up),
         .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_surface(unit_read_surface),
         .read_tile(unit_read_tile), .read_pixel(unit_read_pixel), .read_count(unit_read_count),
         .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
@@ -191,6 +192,7 @@ module splat_pins (
         drive_splat_attribute_0 <= {drive_splat_attribute_0[10:0], drive_splat_tangent2_z[23]};
         drive_splat_attribute_1 <= {drive_splat_attribute_1[10:0], drive_splat_attribute_0[11]};
         drive_splat_attribute_2 <= {drive_splat_attribute_2[10:0], drive_splat_attribute_1[11]};
+        catch_frame_set_up <= unit_frame_set_up;
         catch_read_valid <= unit_read_valid;
         drive_read_ready <= drive_splat_attribute_2[11];
         catch_read_surface <= unit_read_surface;
@@ -268,7 +270,7 @@ module splat_pins (
             fold_0_unequal_71 ^ catch_write_weight[24], fold_0_unequal_72 ^ catch_write_pixel[0],
             fold_0_unequal_73 ^ catch_write_pixel[4], fold_0_unequal_74, fold_0_unequal_75, fold_0_unequal_76,
             fold_0_unequal_77, fold_0_unequal_78, fold_0_unequal_79, fold_0_unequal_80, fold_0_unequal_81,
-            fold_0_unequal_82, fold_0_unequal_83, catch_splat_ready
+            fold_0_unequal_82, fold_0_unequal_83, catch_frame_set_up ^ catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

@@ -9,10 +9,10 @@
 module splat_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:49340];
-    reg [820:0] vector = 0;
-    reg [820:0] next = 0;
-    wire [820:0] found;
+    reg [63:0] words [0:50028];
+    reg [821:0] vector = 0;
+    reg [821:0] next = 0;
+    wire [821:0] found;
     reg changes;
     reg [6:0] changed;
     integer place = 0;
@@ -41,44 +41,45 @@ module splat_test;
         .splat_attribute_0(vector[31] ? vector[261:250] : ~vector[261:250]),
         .splat_attribute_1(vector[31] ? vector[273:262] : ~vector[273:262]),
         .splat_attribute_2(vector[31] ? vector[285:274] : ~vector[285:274]),
-        .read_valid(found[286]),
-        .read_ready(vector[287]),
-        .read_surface(found[288]),
-        .read_tile(found[300:289]),
-        .read_pixel(found[306:301]),
-        .read_count(found[310:307]),
-        .data_valid(vector[311]),
-        .data_ready(found[312]),
-        .data_weight(vector[311] ? vector[340:313] : ~vector[340:313]),
-        .data_depth(vector[311] ? vector[392:341] : ~vector[392:341]),
-        .data_attribute_0(vector[311] ? vector[432:393] : ~vector[432:393]),
-        .data_attribute_1(vector[311] ? vector[472:433] : ~vector[472:433]),
-        .data_attribute_2(vector[311] ? vector[512:473] : ~vector[512:473]),
-        .write_valid(found[513]),
-        .write_ready(vector[514]),
-        .write_surface(found[515]),
-        .write_tile(found[527:516]),
-        .write_pixel(found[533:528]),
-        .write_weight(found[561:534]),
-        .write_depth(found[613:562]),
-        .write_attribute_0(found[653:614]),
-        .write_attribute_1(found[693:654]),
-        .write_attribute_2(found[733:694]),
-        .fragment_valid(found[734]),
-        .fragment_ready(vector[735]),
-        .fragment_end(found[736]),
-        .fragment_column(found[745:737]),
-        .fragment_row(found[754:746]),
-        .fragment_depth(found[778:755]),
-        .fragment_attribute_0(found[790:779]),
-        .fragment_attribute_1(found[802:791]),
-        .fragment_attribute_2(found[814:803]),
-        .event_sample(found[815]),
-        .event_starved(found[816]),
-        .event_blocked(found[817]),
-        .event_accumulate(found[818]),
-        .event_hazard(found[819]),
-        .event_slot_wait(found[820])
+        .frame_set_up(found[286]),
+        .read_valid(found[287]),
+        .read_ready(vector[288]),
+        .read_surface(found[289]),
+        .read_tile(found[301:290]),
+        .read_pixel(found[307:302]),
+        .read_count(found[311:308]),
+        .data_valid(vector[312]),
+        .data_ready(found[313]),
+        .data_weight(vector[312] ? vector[341:314] : ~vector[341:314]),
+        .data_depth(vector[312] ? vector[393:342] : ~vector[393:342]),
+        .data_attribute_0(vector[312] ? vector[433:394] : ~vector[433:394]),
+        .data_attribute_1(vector[312] ? vector[473:434] : ~vector[473:434]),
+        .data_attribute_2(vector[312] ? vector[513:474] : ~vector[513:474]),
+        .write_valid(found[514]),
+        .write_ready(vector[515]),
+        .write_surface(found[516]),
+        .write_tile(found[528:517]),
+        .write_pixel(found[534:529]),
+        .write_weight(found[562:535]),
+        .write_depth(found[614:563]),
+        .write_attribute_0(found[654:615]),
+        .write_attribute_1(found[694:655]),
+        .write_attribute_2(found[734:695]),
+        .fragment_valid(found[735]),
+        .fragment_ready(vector[736]),
+        .fragment_end(found[737]),
+        .fragment_column(found[746:738]),
+        .fragment_row(found[755:747]),
+        .fragment_depth(found[779:756]),
+        .fragment_attribute_0(found[791:780]),
+        .fragment_attribute_1(found[803:792]),
+        .fragment_attribute_2(found[815:804]),
+        .event_sample(found[816]),
+        .event_starved(found[817]),
+        .event_blocked(found[818]),
+        .event_accumulate(found[819]),
+        .event_hazard(found[820]),
+        .event_slot_wait(found[821])
     );
 
     always #5 clk = !clk;
@@ -103,13 +104,13 @@ module splat_test;
                 if (changes) take_bit(changed[i]);
                 else changed[i] = 1'b0;
             end
-            if (changed[0]) begin take(0, 1); take(1, 1); take(31, 1); take(32, 1); take(286, 1); take(287, 1); take(311, 1); take(312, 1); take(513, 1); take(514, 1); take(734, 1); take(735, 1); take(815, 1); take(816, 1); take(817, 1); take(818, 1); take(819, 1); take(820, 1); end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(31, 1); take(32, 1); take(286, 1); take(287, 1); take(288, 1); take(312, 1); take(313, 1); take(514, 1); take(515, 1); take(735, 1); take(736, 1); take(816, 1); take(817, 1); take(818, 1); take(819, 1); take(820, 1); take(821, 1); end
             if (changed[1]) begin take(2, 5); take(7, 24); end
             if (changed[2]) begin take(33, 1); take(34, 24); take(58, 24); take(82, 24); take(106, 24); take(130, 24); take(154, 24); take(178, 24); take(202, 24); take(226, 24); take(250, 12); take(262, 12); take(274, 12); end
-            if (changed[3]) begin take(288, 1); take(289, 12); take(301, 6); take(307, 4); end
-            if (changed[4]) begin take(313, 28); take(341, 52); take(393, 40); take(433, 40); take(473, 40); end
-            if (changed[5]) begin take(515, 1); take(516, 12); take(528, 6); take(534, 28); take(562, 52); take(614, 40); take(654, 40); take(694, 40); end
-            if (changed[6]) begin take(736, 1); take(737, 9); take(746, 9); take(755, 24); take(779, 12); take(791, 12); take(803, 12); end
+            if (changed[3]) begin take(289, 1); take(290, 12); take(302, 6); take(308, 4); end
+            if (changed[4]) begin take(314, 28); take(342, 52); take(394, 40); take(434, 40); take(474, 40); end
+            if (changed[5]) begin take(516, 1); take(517, 12); take(529, 6); take(535, 28); take(563, 52); take(615, 40); take(655, 40); take(695, 40); end
+            if (changed[6]) begin take(737, 1); take(738, 9); take(747, 9); take(756, 24); take(780, 12); take(792, 12); take(804, 12); end
             vector = next;
         end
     endtask
@@ -129,35 +130,36 @@ module splat_test;
             advance;
             #4;
             if (found[32] !== vector[32]) differ("splat_ready");
-            if (found[286] !== vector[286]) differ("read_valid");
-            if (vector[286] && found[288] !== vector[288]) differ("read_surface");
-            if (vector[286] && found[300:289] !== vector[300:289]) differ("read_tile");
-            if (vector[286] && found[306:301] !== vector[306:301]) differ("read_pixel");
-            if (vector[286] && found[310:307] !== vector[310:307]) differ("read_count");
-            if (found[312] !== vector[312]) differ("data_ready");
-            if (found[513] !== vector[513]) differ("write_valid");
-            if (vector[513] && found[515] !== vector[515]) differ("write_surface");
-            if (vector[513] && found[527:516] !== vector[527:516]) differ("write_tile");
-            if (vector[513] && found[533:528] !== vector[533:528]) differ("write_pixel");
-            if (vector[513] && found[561:534] !== vector[561:534]) differ("write_weight");
-            if (vector[513] && found[613:562] !== vector[613:562]) differ("write_depth");
-            if (vector[513] && found[653:614] !== vector[653:614]) differ("write_attribute_0");
-            if (vector[513] && found[693:654] !== vector[693:654]) differ("write_attribute_1");
-            if (vector[513] && found[733:694] !== vector[733:694]) differ("write_attribute_2");
-            if (found[734] !== vector[734]) differ("fragment_valid");
-            if (vector[734] && found[736] !== vector[736]) differ("fragment_end");
-            if (vector[734] && !vector[736] && found[745:737] !== vector[745:737]) differ("fragment_column");
-            if (vector[734] && !vector[736] && found[754:746] !== vector[754:746]) differ("fragment_row");
-            if (vector[734] && !vector[736] && found[778:755] !== vector[778:755]) differ("fragment_depth");
-            if (vector[734] && !vector[736] && found[790:779] !== vector[790:779]) differ("fragment_attribute_0");
-            if (vector[734] && !vector[736] && found[802:791] !== vector[802:791]) differ("fragment_attribute_1");
-            if (vector[734] && !vector[736] && found[814:803] !== vector[814:803]) differ("fragment_attribute_2");
-            if (found[815] !== vector[815]) differ("event_sample");
-            if (found[816] !== vector[816]) differ("event_starved");
-            if (found[817] !== vector[817]) differ("event_blocked");
-            if (found[818] !== vector[818]) differ("event_accumulate");
-            if (found[819] !== vector[819]) differ("event_hazard");
-            if (found[820] !== vector[820]) differ("event_slot_wait");
+            if (found[286] !== vector[286]) differ("frame_set_up");
+            if (found[287] !== vector[287]) differ("read_valid");
+            if (vector[287] && found[289] !== vector[289]) differ("read_surface");
+            if (vector[287] && found[301:290] !== vector[301:290]) differ("read_tile");
+            if (vector[287] && found[307:302] !== vector[307:302]) differ("read_pixel");
+            if (vector[287] && found[311:308] !== vector[311:308]) differ("read_count");
+            if (found[313] !== vector[313]) differ("data_ready");
+            if (found[514] !== vector[514]) differ("write_valid");
+            if (vector[514] && found[516] !== vector[516]) differ("write_surface");
+            if (vector[514] && found[528:517] !== vector[528:517]) differ("write_tile");
+            if (vector[514] && found[534:529] !== vector[534:529]) differ("write_pixel");
+            if (vector[514] && found[562:535] !== vector[562:535]) differ("write_weight");
+            if (vector[514] && found[614:563] !== vector[614:563]) differ("write_depth");
+            if (vector[514] && found[654:615] !== vector[654:615]) differ("write_attribute_0");
+            if (vector[514] && found[694:655] !== vector[694:655]) differ("write_attribute_1");
+            if (vector[514] && found[734:695] !== vector[734:695]) differ("write_attribute_2");
+            if (found[735] !== vector[735]) differ("fragment_valid");
+            if (vector[735] && found[737] !== vector[737]) differ("fragment_end");
+            if (vector[735] && !vector[737] && found[746:738] !== vector[746:738]) differ("fragment_column");
+            if (vector[735] && !vector[737] && found[755:747] !== vector[755:747]) differ("fragment_row");
+            if (vector[735] && !vector[737] && found[779:756] !== vector[779:756]) differ("fragment_depth");
+            if (vector[735] && !vector[737] && found[791:780] !== vector[791:780]) differ("fragment_attribute_0");
+            if (vector[735] && !vector[737] && found[803:792] !== vector[803:792]) differ("fragment_attribute_1");
+            if (vector[735] && !vector[737] && found[815:804] !== vector[815:804]) differ("fragment_attribute_2");
+            if (found[816] !== vector[816]) differ("event_sample");
+            if (found[817] !== vector[817]) differ("event_starved");
+            if (found[818] !== vector[818]) differ("event_blocked");
+            if (found[819] !== vector[819]) differ("event_accumulate");
+            if (found[820] !== vector[820]) differ("event_hazard");
+            if (found[821] !== vector[821]) differ("event_slot_wait");
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");

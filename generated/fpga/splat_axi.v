@@ -49,9 +49,8 @@ module splat_axi (
     output wire irq  // Interrupt.
 );
     reg [7:0] pixels_awaited, pixels_held;
-    reg has_ended;
 
-    wire core_splat_ready, core_read_valid, core_read_surface;
+    wire core_splat_ready, core_frame_set_up, core_read_valid, core_read_surface;
     wire [11:0] core_read_tile;
     wire [5:0] core_read_pixel;
     wire [3:0] core_read_count;
@@ -85,7 +84,10 @@ module splat_axi (
     wire [15:0] splats_out_attribute_4, splats_out_attribute_5, splats_out_attribute_6, splats_out_attribute_7;
     wire [15:0] splats_out_attribute_8, splats_out_attribute_9, splats_out_attribute_10, splats_out_attribute_11;
     wire [15:0] splats_out_attribute_12, splats_out_cardinal_0;
-    wire splats_taken, splats_refused, fragments_in_ready, fragments_sent, fragments_idle, reads_request_ready;
+    wire splats_taken, splats_refused, frames_uniform_valid;
+    wire [4:0] frames_uniform_address;
+    wire [31:0] frames_uniform_data;
+    wire frames_begun, frames_idle, fragments_in_ready, fragments_sent, fragments_idle, reads_request_ready;
     wire reads_record_valid;
     wire [27:0] reads_record_weight;
     wire [51:0] reads_record_depth;
@@ -121,7 +123,6 @@ module splat_axi (
     wire core_read_valid_and_run_fits = core_read_valid & run_fits;
     wire no_read = ~core_read_valid_and_run_fits;
     wire core_write_ready = writes_in_ready & no_read;
-    wire has_ended_both = has_ended & ~registers_start;
     wire is_idle = fragments_idle & writes_idle;
     wire rst_or_early_end_aborts = rst | early_end_aborts;
     wire [31:0] run_address = registers_buffer_base + {7'd0, core_read_surface, core_read_tile, core_read_pixel, 6'd0};
@@ -132,12 +133,11 @@ module splat_axi (
     wire run_begins = core_read_valid & core_read_ready;
     wire [7:0] pixels_held_bits = {4'd0, {4{run_begins}} & core_read_count};
     wire [7:0] pixels_held_difference = (pixels_held + pixels_held_bits) - {7'd0, pixels_out_valid & core_data_ready};
-    wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
 
     splat_top core (
         .clk(clk), .rst(rst | (registers_core_reset | early_end_aborts)),
-        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
-        .uniform_data(registers_uniform_data),
+        .uniform_valid(frames_uniform_valid), .uniform_address(frames_uniform_address),
+        .uniform_data(frames_uniform_data),
         .splat_valid(splats_out_valid), .splat_ready(core_splat_ready), .splat_end(splats_out_end),
         .splat_center_x(splats_out_center_x), .splat_center_y(splats_out_center_y),
         .splat_center_z(splats_out_center_z), .splat_tangent1_x(splats_out_tangent1_x),
@@ -151,6 +151,7 @@ module splat_axi (
         .splat_attribute_9(splats_out_attribute_9), .splat_attribute_10(splats_out_attribute_10),
         .splat_attribute_11(splats_out_attribute_11), .splat_attribute_12(splats_out_attribute_12),
         .splat_cardinal_0(splats_out_cardinal_0),
+        .frame_set_up(core_frame_set_up),
         .read_valid(core_read_valid), .read_ready(core_read_ready), .read_surface(core_read_surface),
         .read_tile(core_read_tile), .read_pixel(core_read_pixel), .read_count(core_read_count),
         .data_valid(pixels_out_valid), .data_ready(core_data_ready), .data_weight(pixels_out_weight),
@@ -193,8 +194,8 @@ module splat_axi (
         .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(s_axil_wready),
         .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(s_axil_bvalid),
         .s_axil_bready(s_axil_bready), .s_axil_bresp(s_axil_bresp),
-        .finished((has_ended_both & is_idle & ~early_end_aborts) | early_end_ended),
-        .occupied(early_end_aborts), .busy(registers_busy), .start(registers_start),
+        .finished((frames_idle & ~registers_start & is_idle & ~early_end_aborts) | early_end_ended),
+        .occupied(early_end_aborts), .begun(frames_begun), .busy(registers_busy), .start(registers_start),
         .core_reset(registers_core_reset),
         .aborts(registers_aborts), .uniform_valid(registers_uniform_valid),
         .uniform_address(registers_uniform_address), .uniform_data(registers_uniform_data),
@@ -212,9 +213,9 @@ module splat_axi (
     );
 
     bus_packet_in splats (
-        .clk(clk), .rst(rst_or_early_end_aborts), .opens(registers_start),
-        .s_axis_tvalid(s_axis_splat_tvalid), .s_axis_tready(s_axis_splat_tready),
-        .s_axis_tdata(s_axis_splat_tdata), .s_axis_tlast(s_axis_splat_tlast),
+        .clk(clk), .rst(rst_or_early_end_aborts), .opens(frames_begun), .s_axis_tvalid(s_axis_splat_tvalid),
+        .s_axis_tready(s_axis_splat_tready), .s_axis_tdata(s_axis_splat_tdata),
+        .s_axis_tlast(s_axis_splat_tlast),
         .out_valid(splats_out_valid), .out_ready(core_splat_ready), .out_end(splats_out_end),
         .out_center_x(splats_out_center_x), .out_center_y(splats_out_center_y),
         .out_center_z(splats_out_center_z), .out_tangent1_x(splats_out_tangent1_x),
@@ -229,6 +230,16 @@ module splat_axi (
         .out_attribute_11(splats_out_attribute_11), .out_attribute_12(splats_out_attribute_12),
         .out_cardinal_0(splats_out_cardinal_0),
         .taken(splats_taken), .refused(splats_refused)
+    );
+
+    bus_frames frames (
+        .clk(clk), .rst(rst_or_early_end_aborts), .start(registers_start), .set_up(core_frame_set_up),
+        .sent(core_fragment_valid & fragments_in_ready & core_fragment_end),
+        .write_valid(registers_uniform_valid), .write_address(registers_uniform_address),
+        .write_data(registers_uniform_data),
+        .uniform_valid(frames_uniform_valid), .uniform_address(frames_uniform_address),
+        .uniform_data(frames_uniform_data),
+        .begun(frames_begun), .idle(frames_idle)
     );
 
     bus_packet_out fragments (
@@ -310,11 +321,9 @@ module splat_axi (
         if (rst) begin
             pixels_awaited <= 8'd0;
             pixels_held <= 8'd0;
-            has_ended <= 1'd0;
         end else begin
             pixels_awaited <= (pixels_awaited + pixels_held_bits) - {7'd0, reads_record_valid & reads_record_ready};
             pixels_held <= early_end_aborts ? 8'd0 : pixels_held_difference;
-            has_ended <= is_last | has_ended_both;
         end
     end
 endmodule
@@ -958,6 +967,66 @@ module stream_skid_w65 (
 `endif
 endmodule
 
+// Begins frames, each with the uniforms written before its start.
+// uniforms = 23
+module bus_frames (
+    input  wire clk, input wire rst,
+    input  wire start,  // A frame is asked for.
+    input  wire set_up,  // The frame that began last is set up.
+    input  wire sent,  // A frame has left.
+    input  wire write_valid,  // Writes to uniforms; none comes while a start waits.
+    input  wire [4:0] write_address,  // Its place among the frame's uniforms.
+    input  wire [31:0] write_data,  // Its new value.
+    output reg  uniform_valid,  // The uniforms of the frame that begins.
+    output reg  [4:0] uniform_address,  // Its place among the frame's uniforms.
+    output reg  [31:0] uniform_data,  // Its new value.
+    output reg  begun,  // Its uniforms are written, its splats may come.
+    output wire idle  // No frame is asked for or under way.
+);
+    (* ram_style = "distributed" *)
+    reg [31:0] values [0:31];
+    reg waiting, setting_up;
+    reg [1:0] under_way;
+    reg [31:0] filter;
+    reg filter_changes, copies;
+    reg [4:0] copied;
+
+    wire is_alone = under_way == 2'd0;
+    wire ends = copies & (copied == 5'd22);
+    wire begins = waiting & ~(setting_up | (under_way == 2'd3)) & (is_alone | ~filter_changes);
+    wire writes_filter = write_valid & (write_address == 5'd22);
+    wire [31:0] value = values[copied];
+
+    assign idle = ~waiting & is_alone;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            waiting <= 1'd0;
+            setting_up <= 1'd0;
+            under_way <= 2'd0;
+            filter_changes <= 1'd0;
+            copies <= 1'd0;
+            uniform_valid <= 1'd0;
+            begun <= 1'd0;
+        end else begin
+            waiting <= start | (waiting & ~ends);
+            setting_up <= begins | (setting_up & ~set_up);
+            under_way <= (under_way + {1'd0, begins}) - {1'd0, sent};
+            filter_changes <= (writes_filter & ~(filter == write_data)) | (filter_changes & ~begins);
+            copies <= begins | (copies & ~ends);
+            uniform_valid <= copies;
+            begun <= ends;
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_filter) filter <= write_data;
+        copied <= begins ? 5'd0 : (copied + 5'd1);
+        uniform_address <= copied;
+        uniform_data <= value;
+    end
+    always @(posedge clk) if (write_valid) values[write_address] <= write_data;
+endmodule
+
 // Gathers the beats of packets into records.
 // beats = 9
 // width = 64
@@ -1183,6 +1252,7 @@ module bus_registers (
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
     input  wire finished,  // The run has ended.
     input  wire occupied,  // No run may begin.
+    input  wire begun,  // The frame of the start that waited has begun.
     output reg  busy,  // A run is under way.
     output reg  start,  // A run begins.
     output reg  core_reset,  // The core is to be reset.
@@ -1216,7 +1286,7 @@ module bus_registers (
     reg [31:0] write_data;
     reg write_strobes, write_is_okay, interrupt_enable_bits;
     reg [19:0] buffer_base_bits;
-    reg clear_errors, done, has_read_address;
+    reg waiting, clear_errors, begins_run, done, has_read_address;
     reg [11:0] read_address;
     reg error, adds;
     reg [3:0] visited;
@@ -1264,10 +1334,10 @@ module bus_registers (
     wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_32;
     wire uniform_valid_both = (10'd64 <= write_address[11:2]) & ~(10'd86 < write_address[11:2]);
     wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either | uniform_valid_both);
-    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
-    wire idle_only = idle_only_either | uniform_valid_both;
+    wire idle_only = write_address_11_2_is_32 | (write_address_11_2_is_1 & write_data[1]);
     wire wants_start = write_address_11_2_is_1 & write_data[0];
-    wire blocked = (idle_only & busy) | (wants_start & occupied);
+    wire ahead_only = wants_start | uniform_valid_both;
+    wire blocked = (idle_only & busy) | (ahead_only & waiting) | (wants_start & occupied);
     wire senseless = write_address_11_2_is_32 & |write_data[11:0];
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
     wire commands = write_accepted & write_address_11_2_is_1;
@@ -1366,7 +1436,8 @@ module bus_registers (
     wire is_void_choice_4 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430a01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
+    wire [31:0] s_axil_rdata_both = {32{read_address_11_2_is_2}} & {28'd0, waiting, error, done, busy};
+    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430a01) | s_axil_rdata_both;
     wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
     wire [31:0] s_axil_rdata_either_3 = s_axil_rdata_either_2 | ({32{read_address_11_2_is_32}} & {buffer_base_bits, 12'd0});
 
@@ -1385,10 +1456,12 @@ module bus_registers (
             busy <= 1'd0;
             interrupt_enable_bits <= 1'd0;
             buffer_base_bits <= 20'd0;
+            waiting <= 1'd0;
             start <= 1'd0;
             core_reset <= 1'd0;
             clear_errors <= 1'd0;
             aborts <= 1'd0;
+            begins_run <= 1'd0;
             done <= 1'd0;
             uniform_valid <= 1'd0;
             has_read_address <= 1'd0;
@@ -1433,10 +1506,12 @@ module bus_registers (
             has_data <= has_data ? ~judges : s_axil_wvalid;
             s_axil_bvalid <= judges | (s_axil_bvalid & ~s_axil_bready);
             busy <= starts | (busy & ~finished);
+            waiting <= starts | (waiting & ~(begun | finished));
             start <= starts;
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
             aborts <= commands & write_data[3];
+            begins_run <= starts & ~busy;
             done <= ~starts & (done | (busy & finished));
             uniform_valid <= write_accepted & uniform_valid_both;
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
@@ -1452,24 +1527,24 @@ module bus_registers (
             void_3 <= clear_errors | (void_3 & ~visits_3);
             part_4 <= (visits_4 | clear_errors) ? part_4_sum : (part_4 + part_4_sum);
             void_4 <= clear_errors | (void_4 & ~visits_4);
-            part_5 <= (visits_5 | start) ? {5'd0, busy} : (part_5 + {5'd0, busy});
-            void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
-            void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? part_7_bits : (part_7 + part_7_bits);
-            void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? part_8_bits : (part_8 + part_8_bits);
-            void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? part_9_bits : (part_9 + part_9_bits);
-            void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? part_10_bits : (part_10 + part_10_bits);
-            void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? part_11_bits : (part_11 + part_11_bits);
-            void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
-            void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
-            void_13 <= start | (void_13 & ~visits_13);
+            part_5 <= (visits_5 | begins_run) ? {5'd0, busy} : (part_5 + {5'd0, busy});
+            void_5 <= begins_run | (void_5 & ~visits_5);
+            part_6 <= (visits_6 | begins_run) ? part_6_bits : (part_6 + part_6_bits);
+            void_6 <= begins_run | (void_6 & ~visits_6);
+            part_7 <= (visits_7 | begins_run) ? part_7_bits : (part_7 + part_7_bits);
+            void_7 <= begins_run | (void_7 & ~visits_7);
+            part_8 <= (visits_8 | begins_run) ? part_8_bits : (part_8 + part_8_bits);
+            void_8 <= begins_run | (void_8 & ~visits_8);
+            part_9 <= (visits_9 | begins_run) ? part_9_bits : (part_9 + part_9_bits);
+            void_9 <= begins_run | (void_9 & ~visits_9);
+            part_10 <= (visits_10 | begins_run) ? part_10_bits : (part_10 + part_10_bits);
+            void_10 <= begins_run | (void_10 & ~visits_10);
+            part_11 <= (visits_11 | begins_run) ? part_11_bits : (part_11 + part_11_bits);
+            void_11 <= begins_run | (void_11 & ~visits_11);
+            part_12 <= (visits_12 | begins_run) ? part_12_bits : (part_12 + part_12_bits);
+            void_12 <= begins_run | (void_12 & ~visits_12);
+            part_13 <= (visits_13 | begins_run) ? part_13_bits : (part_13 + part_13_bits);
+            void_13 <= begins_run | (void_13 & ~visits_13);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;

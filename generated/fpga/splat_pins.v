@@ -17,7 +17,7 @@ module splat_pins (
     reg [15:0] drive_splat_attribute_4, drive_splat_attribute_5, drive_splat_attribute_6, drive_splat_attribute_7;
     reg [15:0] drive_splat_attribute_8, drive_splat_attribute_9, drive_splat_attribute_10, drive_splat_attribute_11;
     reg [15:0] drive_splat_attribute_12, drive_splat_cardinal_0;
-    reg catch_read_valid, drive_read_ready, catch_read_surface;
+    reg catch_frame_set_up, catch_read_valid, drive_read_ready, catch_read_surface;
     reg [11:0] catch_read_tile;
     reg [5:0] catch_read_pixel;
     reg [3:0] catch_read_count;
@@ -53,7 +53,7 @@ module splat_pins (
     reg [2:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready, unit_read_valid, unit_read_surface;
+    wire unit_splat_ready, unit_frame_set_up, unit_read_valid, unit_read_surface;
     wire [11:0] unit_read_tile;
     wire [5:0] unit_read_pixel;
     wire [3:0] unit_read_count;
@@ -261,6 +261,7 @@ module splat_pins (
         .splat_attribute_9(drive_splat_attribute_9), .splat_attribute_10(drive_splat_attribute_10),
         .splat_attribute_11(drive_splat_attribute_11), .splat_attribute_12(drive_splat_attribute_12),
         .splat_cardinal_0(drive_splat_cardinal_0),
+        .frame_set_up(unit_frame_set_up),
         .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_surface(unit_read_surface),
         .read_tile(unit_read_tile), .read_pixel(unit_read_pixel), .read_count(unit_read_count),
         .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
@@ -328,6 +329,7 @@ module splat_pins (
         drive_splat_attribute_11 <= {drive_splat_attribute_11[14:0], drive_splat_attribute_10[15]};
         drive_splat_attribute_12 <= {drive_splat_attribute_12[14:0], drive_splat_attribute_11[15]};
         drive_splat_cardinal_0 <= {drive_splat_cardinal_0[14:0], drive_splat_attribute_12[15]};
+        catch_frame_set_up <= unit_frame_set_up;
         catch_read_valid <= unit_read_valid;
         drive_read_ready <= drive_splat_cardinal_0[15];
         catch_read_surface <= unit_read_surface;
@@ -481,7 +483,7 @@ module splat_pins (
             fold_0_unequal_153 ^ catch_write_weight[24], fold_0_unequal_154 ^ catch_write_pixel[0],
             fold_0_unequal_155 ^ catch_write_pixel[4], fold_0_unequal_156, fold_0_unequal_157, fold_0_unequal_158,
             fold_0_unequal_159, fold_0_unequal_160, fold_0_unequal_161, fold_0_unequal_162, fold_0_unequal_163,
-            fold_0_unequal_164, fold_0_unequal_165, catch_splat_ready
+            fold_0_unequal_164, fold_0_unequal_165, catch_frame_set_up ^ catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

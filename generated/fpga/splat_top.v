@@ -4,7 +4,7 @@
 // Surface-splat renderer: splats in, normalized fragments out.
 module splat_top (
     input  wire clk, input wire rst,
-    input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
+    input  wire uniform_valid,  // Write to a uniform register: after `frame_set_up` of the last frame and before the first splat of the next, `filter_scale` while no frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [31:0] uniform_data,  // Its new value.
     input  wire splat_valid, output wire splat_ready,  // Splats in world space.
@@ -32,6 +32,7 @@ module splat_top (
     input  wire [15:0] splat_attribute_11,  // Attributes.
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
+    output reg  frame_set_up,  // All splats of a frame were set up in the last cycle.
     output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
     output wire read_surface,  // The frame is one of those with odd numbers.
     output wire [11:0] read_tile,  // Tile index.
@@ -347,6 +348,10 @@ module splat_top (
         .out_attribute_12(fragment_attribute_12), .out_cardinal_0(fragment_cardinal_0)
     );
 
+    always @(posedge clk) begin
+        if (rst) frame_set_up <= 1'd0;
+        else frame_set_up <= setup_out_valid & splitter_in_ready & setup_out_end;
+    end
     always @(posedge clk) begin
         if (uniform_valid & (uniform_address == 5'd0)) uniform_m00 <= uniform_data;
         if (uniform_valid & (uniform_address == 5'd1)) uniform_m01 <= uniform_data;

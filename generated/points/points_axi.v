@@ -1269,12 +1269,12 @@ module bus_registers (
     wire shaped_either_4 = shaped_either_3 | write_address_11_2_is_58 | write_address_11_2_is_64;
     wire write_address_11_2_is_65 = write_address[11:2] == 10'd65;
     wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either_4 | write_address_11_2_is_65);
-    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_48;
-    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_50 | write_address_11_2_is_51;
-    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_52 | write_address_11_2_is_53;
-    wire idle_only_either_4 = idle_only_either_3 | write_address_11_2_is_58 | write_address_11_2_is_64;
-    wire idle_only = idle_only_either_4 | write_address_11_2_is_65;
     wire wants_start = write_address_11_2_is_1 & write_data[0];
+    wire idle_only_either = wants_start | write_address_11_2_is_48 | write_address_11_2_is_50;
+    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_51 | write_address_11_2_is_52;
+    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_53 | write_address_11_2_is_58;
+    wire idle_only_either_4 = idle_only_either_3 | write_address_11_2_is_64 | write_address_11_2_is_65;
+    wire idle_only = idle_only_either_4 | (write_address_11_2_is_1 & write_data[1]);
     wire blocked = (idle_only & busy) | (wants_start & occupied);
     wire senseless_either = (write_address_11_2_is_48 & |write_data[11:0]) | (write_address_11_2_is_50 & |write_data[11:0]);
     wire senseless_both = write_address_11_2_is_52 & ~((6'd1 <= write_data[5:0]) & ~(6'd33 <= write_data[5:0]));

@@ -28,6 +28,7 @@
 #define SPLAT_STATUS_BUSY (UINT32_C(1) << 0) /* a run is under way */
 #define SPLAT_STATUS_DONE (UINT32_C(1) << 1) /* a run has ended since the last start */
 #define SPLAT_STATUS_ERROR (UINT32_C(1) << 2) /* an error counter is not zero */
+#define SPLAT_STATUS_WAITING (UINT32_C(1) << 3) /* a start waits until its frame may begin */
 #define SPLAT_INTERRUPT_ENABLE 0x00cu /* read, write: what raises `irq` */
 #define SPLAT_INTERRUPT_ENABLE_DONE (UINT32_C(1) << 0) /* `irq` is high while `done` is */
 #define SPLAT_ACCESS_ERRORS 0x010u /* read: register accesses refused: outside the map, not of a whole aligned word, written where only read or read where only written, a value that makes no sense */

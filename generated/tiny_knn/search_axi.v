@@ -1049,9 +1049,9 @@ module bus_registers (
     wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_32;
     wire write_address_11_2_is_34 = write_address[11:2] == 10'd34;
     wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either | write_address_11_2_is_34);
-    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
-    wire idle_only = idle_only_either | write_address_11_2_is_34;
     wire wants_start = write_address_11_2_is_1 & write_data[0];
+    wire idle_only_either = wants_start | write_address_11_2_is_32 | write_address_11_2_is_34;
+    wire idle_only = idle_only_either | (write_address_11_2_is_1 & write_data[1]);
     wire blocked = (idle_only & busy) | (wants_start & occupied);
     wire senseless = (write_address_11_2_is_32 & |write_data[11:0]) | (wants_start & (queries_bits == 32'd0));
     wire write_accepted = judges & (shaped & ~(blocked | senseless));

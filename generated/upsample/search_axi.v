@@ -1119,11 +1119,11 @@ module bus_registers (
     wire shaped_either_3 = shaped_either_2 | write_address_11_2_is_35 | write_address_11_2_is_36;
     wire write_address_11_2_is_37 = write_address[11:2] == 10'd37;
     wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either_3 | write_address_11_2_is_37);
-    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
-    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_33 | write_address_11_2_is_34;
-    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_35 | write_address_11_2_is_36;
-    wire idle_only = idle_only_either_3 | write_address_11_2_is_37;
     wire wants_start = write_address_11_2_is_1 & write_data[0];
+    wire idle_only_either = wants_start | write_address_11_2_is_32 | write_address_11_2_is_33;
+    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_34 | write_address_11_2_is_35;
+    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_36 | write_address_11_2_is_37;
+    wire idle_only = idle_only_either_3 | (write_address_11_2_is_1 & write_data[1]);
     wire blocked = (idle_only & busy) | (wants_start & occupied);
     wire senseless_either = (write_address_11_2_is_32 & |write_data[11:0]) | (write_address_11_2_is_33 & |write_data[11:0]);
     wire senseless = senseless_either | (wants_start & (queries_bits == 32'd0));

@@ -5,7 +5,7 @@ use pointcore_contract::bus::registers::{
     UniformBits,
 };
 use pointcore_contract::bus::units::registers::Ports;
-use pointcore_contract::bus::{RegisterKind, Register};
+use pointcore_contract::bus::{Register, RegisterKind, When};
 use pointcore_contract::{fields, points, search, splat};
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
@@ -14,6 +14,8 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 
 const ACCESSES: usize = 1500;
+/// A bit of `control`.
+const START: u32 = 1;
 /// Cycles between two accesses in which anything may happen.
 const EVENTFUL_CYCLES: u32 = 40;
 
@@ -50,7 +52,9 @@ struct Host {
     model: Registers,
     /// Cycles of the run, counted where the unit shows it.
     cycles: u64,
+    was_busy: bool,
     has_uniforms: bool,
+    starts_ahead: bool,
     /// Uniforms, resets and aborts that the core was told of.
     uniforms: Vec<(u32, u32)>,
     resets: u32,
@@ -81,7 +85,9 @@ impl Host {
             read_data,
             model,
             cycles,
+            was_busy: false,
             has_uniforms,
+            starts_ahead: M::STARTS == When::Ahead,
             uniforms,
             resets,
             aborts,
@@ -96,7 +102,8 @@ impl Host {
         [&mut self.answer, &mut self.read_data].into_iter().for_each(|drain| drain.offer(&mut self.bench));
         self.bench.step();
         let (start, busy) = (self.bench.get("start"), self.bench.get("busy"));
-        self.cycles = if start == 1 { 0 } else { self.cycles } + busy;
+        self.cycles = if start == 1 && !self.was_busy { 0 } else { self.cycles } + busy;
+        self.was_busy = busy == 1;
         self.resets += self.bench.get("core_reset") as u32;
         self.aborts += self.bench.get("aborts") as u32;
         if self.has_uniforms && self.bench.get("uniform_valid") == 1 {
@@ -145,9 +152,16 @@ impl Host {
                 self.bench.set(name, errors);
                 (0..errors.count_ones()).for_each(|_| self.model.error(*error));
             }
-            let finishes = self.random.u8(..60) == 0;
+            let finishes = self.random.u8(..200) == 0;
             self.bench.set("finished", finishes.into());
+            let begins = self.starts_ahead && self.random.u8(..15) == 0;
+            if self.starts_ahead {
+                self.bench.set("begun", begins.into());
+            }
             self.step();
+            if begins {
+                self.model.begin();
+            }
             if finishes {
                 self.model.finish();
             }
@@ -155,6 +169,9 @@ impl Host {
         let inputs = counted.iter().map(|(name, _)| name).chain(errors.iter().map(|(name, ..)| name));
         inputs.for_each(|name| self.bench.set(name, 0));
         self.bench.set("finished", 0);
+        if self.starts_ahead {
+            self.bench.set("begun", 0);
+        }
     }
 }
 
@@ -163,7 +180,7 @@ fn address(map: &[Register], random: &mut fastrand::Rng) -> u32 {
     match random.u8(..8) {
         0 => random.u32(..1 << 12),
         1 => map[random.usize(..map.len())].address + random.u32(1..4),
-        2 => CONTROL,
+        2 | 3 => CONTROL,
         _ => map[random.usize(..map.len())].address,
     }
 }
@@ -181,6 +198,7 @@ fn value(map: &[Register], address: u32, random: &mut fastrand::Rng) -> u32 {
     });
     let sense = [random.u32(..16), random.u32(..) & !0xfff, random.u32(..)];
     match ends {
+        None if address == CONTROL && random.bool() => START,
         Some(ends) if random.bool() => ends[random.usize(..4)],
         _ => sense[random.usize(..3)],
     }
@@ -195,7 +213,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     let cycles = of_kind(RegisterKind::Run(RunCounter::Cycles)).unwrap();
     let settings: Vec<_> =
         map.iter().filter(is_setting).collect();
-    let (mut refused, mut runs) = (0, 0);
+    let (mut refused, mut runs, mut ahead) = (0, 0, 0);
     for access in 0..ACCESSES {
         host.happens(&counted, &errors);
         let address = address(map, &mut host.random);
@@ -204,11 +222,12 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
             let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
             let occupied = host.random.u8(..8) == 0;
             host.bench.set("occupied", occupied.into());
-            let was_busy = host.model.busy;
+            let (was_busy, was_waiting) = (host.model.busy, host.model.waiting);
             let expected = host.model.write(address, data, strobes, occupied);
             assert_eq!(host.write(address, data, strobes), expected, "access {access}: write {data:x} to {address:x}");
             refused += u32::from(expected == Response::Refused);
             runs += u32::from(host.model.busy && !was_busy);
+            ahead += u32::from(was_busy && host.model.waiting && !was_waiting);
         } else {
             let (value, response) = host.model.read(address);
             let (shown, answer) = host.read(address);
@@ -231,6 +250,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     assert_eq!(host.aborts, host.model.aborts);
     let (resets, aborts) = (host.resets, host.aborts);
     assert!(refused > 100 && runs > 5, "{refused} refused, {runs} runs");
+    assert_eq!(ahead > 5, host.starts_ahead, "{ahead} starts in a run");
     assert!(resets > 5 && aborts > 5, "{resets} resets, {aborts} aborts");
 }
 

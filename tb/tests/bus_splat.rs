@@ -1,12 +1,13 @@
 //! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run, and after runs that were aborted.
 
+use pointcore::number;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Config as Widths;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Fragment, Splat};
-use pointcore_contract::words;
+use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
+use pointcore_contract::{fields, words};
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
@@ -19,20 +20,37 @@ const RECORDS: usize = 250;
 const TOP: Ports = Ports::ALL;
 const BUFFER_BASE: u32 = 0x3000;
 const MEMORY_BYTES: usize = 1 << 20;
+/// Radius of a screen filter that is wider than the others'.
+const WIDE_PX: f32 = 1.7;
+/// A bit of `status`.
+const WAITING: u32 = 8;
 
-fn frames(config: &Config) -> EncodedFrame {
-    EncodedFrame { records: scene::world(config, RECORDS), uniforms: scene::registers(config) }
+/// Frames, of which each sees its splats in its own way: moved aside, at last through another screen filter, too.
+fn frames(config: &Config) -> Vec<EncodedFrame> {
+    let (records, uniforms) = (scene::world(config, RECORDS), scene::registers(config));
+    let frame = |(number, splats): (usize, &[Splat])| {
+        let mut uniforms = uniforms;
+        uniforms.viewport.origin = [config.width, config.height].map(|edge| {
+            let moved = edge as f32 / 2.0 + (number % 3) as f32;
+            number::encode(config.geometry, moved)
+        });
+        if number > 1 {
+            uniforms.filter_radius = number::encode(config.geometry, WIDE_PX);
+            uniforms.filter_scale = number::encode_uniform(config.filter_scale_format(), 1.0 / (WIDE_PX * WIDE_PX));
+        }
+        EncodedFrame { records: splats.to_vec(), uniforms }
+    };
+    records.split_inclusive(|splat| splat.end).enumerate().map(frame).collect()
 }
 
 /// The fragments of each frame, as the model makes them.
-fn expected(config: &Config, frames: &EncodedFrame) -> Vec<Vec<Fragment>> {
+fn expected(config: &Config, frames: &[EncodedFrame]) -> Vec<Vec<Fragment>> {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
-    let fragments = |splats: &[Splat]| {
-        let frame = EncodedFrame { records: splats.to_vec(), ..frames.clone() };
-        let outcome = SplatRunner::new(config, &frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
+    let fragments = |frame| {
+        let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
         sorted(config, outcome.fragments)
     };
-    frames.records.split_inclusive(|splat| splat.end).map(fragments).collect()
+    frames.iter().map(fragments).collect()
 }
 
 fn sorted(config: &Config, mut fragments: Vec<Fragment>) -> Vec<Fragment> {
@@ -40,8 +58,10 @@ fn sorted(config: &Config, mut fragments: Vec<Fragment>) -> Vec<Fragment> {
     fragments
 }
 
-/// The frames over the bus; a packet now and then is too short, and is sent again.
-fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, seed: u64) -> Vec<Vec<Fragment>> {
+type SplatHost = Host<Splat, Fragment>;
+
+/// The core with a host and memory around it.
+fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> SplatHost {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
         map: SplatRegisters::registers(config),
@@ -53,17 +73,28 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, 
         memory: MEMORY_BYTES,
         memory_order,
     };
-    let mut host = Host::<Splat, Fragment>::new(top.module, config, config.bus, around, seed);
+    let mut host = Host::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
     host.write("buffer_base", BUFFER_BASE);
-    for (name, value) in scene::uniforms(config) {
-        host.write(&name, value as u32);
+    host
+}
+
+/// Writes a frame's uniforms.
+fn look(host: &mut SplatHost, config: &Config, frame: &EncodedFrame) {
+    for (field, value) in fields::<Uniforms>(config).into_iter().zip(words(config, frame.uniforms)) {
+        host.write(&field.name, value as u32);
     }
+}
+
+/// The frames over the bus, each a run; a packet now and then is too short, and is sent again.
+fn one_by_one(host: &mut SplatHost, config: &Config, frames: &[EncodedFrame], seed: u64) -> Vec<Vec<Fragment>> {
     let mut random = fastrand::Rng::with_seed(seed);
-    let (mut frames, mut refused) = (vec![], 0);
-    for (number, splats) in frame.records.split_inclusive(|splat| splat.end).enumerate() {
+    let (mut found, mut refused) = (vec![], 0);
+    for (number, frame) in frames.iter().enumerate() {
+        let splats = &frame.records;
+        look(host, config, frame);
         if number != 1 {
-            aborted_run(&mut host, config, &splats[..splats.len() - 1], &mut random);
+            aborted_run(host, config, &splats[..splats.len() - 1], &mut random);
         }
         assert!(host.start(if number == 1 { RESET } else { 0 }));
         for splat in splats.iter().map(|splat| words(config, *splat)) {
@@ -73,7 +104,7 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, 
             }
             host.send(&splat, 0);
         }
-        assert!(!host.start(0), "a run is under way");
+        assert!(!host.start(RESET), "a run is under way");
         host.finish();
         let mut fragments = host.received.clone();
         assert!(fragments.pop().is_some_and(|fragment| fragment.end), "a frame has an end");
@@ -82,13 +113,33 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, 
         assert!(host.read("event_sample") > 0 && host.read("cycles") > 0);
         host.expect_errors([0, number as u32 + 1, 0, refused, 0]);
         host.received.clear();
-        frames.push(sorted(config, fragments));
+        found.push(sorted(config, fragments));
     }
-    frames
+    found
+}
+
+/// The frames over the bus in one run, each asked for as soon as the one before has begun.
+fn ahead(host: &mut SplatHost, config: &Config, frames: &[EncodedFrame]) -> Vec<Vec<Fragment>> {
+    let mut most = 0;
+    for (asked, frame) in frames.iter().enumerate() {
+        while host.read("status") & WAITING != 0 {}
+        most = most.max(asked - host.received.iter().filter(|fragment| fragment.end).count());
+        look(host, config, frame);
+        assert!(host.start(0));
+        frame.records.iter().for_each(|splat| host.send(&words(config, *splat), 0));
+    }
+    assert!(most > 1, "no frame begins before another has left");
+    host.finish();
+    let (taken, sent) = (host.read("packets_in"), host.read("packets_out"));
+    assert_eq!(taken as usize, frames.iter().map(|frame| frame.records.len()).sum::<usize>());
+    assert_eq!(sent as usize, host.received.len());
+    let found = std::mem::take(&mut host.received);
+    let frames = found.split_inclusive(|fragment| fragment.end);
+    frames.map(|fragments| sorted(config, fragments[..fragments.len() - 1].to_vec())).collect()
 }
 
 /// A run that ends before its time, somewhere on its way through splats.
-fn aborted_run(host: &mut Host<Splat, Fragment>, config: &Config, splats: &[Splat], random: &mut fastrand::Rng) {
+fn aborted_run(host: &mut SplatHost, config: &Config, splats: &[Splat], random: &mut fastrand::Rng) {
     assert!(host.start(0));
     splats.iter().for_each(|splat| host.send(&words(config, *splat), 0));
     (0..random.u32(..20_000)).for_each(|_| host.step());
@@ -100,16 +151,19 @@ fn frames_on_the_bus_are_those_of_the_model() {
     let widths = [(64, 64), (32, 512), (512, 32), (64, 128)];
     for (config, (stream_bits, memory_bits)) in configs().into_iter().chain(fixed_configs()).zip(widths) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
-        let frame = frames(&config);
-        let expected = expected(&config, &frame);
+        let frames = frames(&config);
+        let expected = expected(&config, &frames);
         let count = expected.iter().map(Vec::len).sum::<usize>();
         assert!(count > 250, "{count} fragments");
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
             for seed in seeds(1).unwrap() {
-                let found = on_the_bus(&config, &frame, memory_order, seed);
-                let found_count = found.iter().map(Vec::len).sum::<usize>();
-                let counts = format!("{found_count} fragments instead of {count}");
-                assert!(found == expected, "{memory_order:?}, seed {seed}: {counts}");
+                let host = &mut around(&config, memory_order, seed);
+                let runs = [one_by_one(host, &config, &frames, seed), ahead(host, &config, &frames)];
+                for (found, way) in runs.into_iter().zip(["one by one", "ahead"]) {
+                    let found_count = found.iter().map(Vec::len).sum::<usize>();
+                    let counts = format!("{found_count} fragments instead of {count}");
+                    assert!(found == expected, "{way}, {memory_order:?}, seed {seed}: {counts}");
+                }
             }
         }
     }

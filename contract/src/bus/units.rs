@@ -4,9 +4,10 @@ use super::axi::{PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, Slav
 use super::config::{ADDRESS_BITS, BORDER_BYTES, BURST_BEATS_MAX, TREE_WORD_BITS};
 use super::layout::Layout;
 use super::packets::Packet;
-use super::registers::{ErrorInputs, ErrorSources, RegisterMap, RegisterWrite, UniformBits};
+use super::registers::{ErrorInputs, ErrorSources, RegisterMap, RegisterWrite, UniformBits, When};
 use crate::record::{Domain, Visitor};
 use crate::splat::config::index_bits;
+use crate::splat::records::UniformWrite;
 use crate::{Field, Record, Visit, points, ports, record, search, splat};
 
 /// What a unit for packets is made for.
@@ -200,6 +201,28 @@ pub struct Abort {
     ended: Output<bool>,
 }
 
+/// Most frames that are under way in the renderer: one that leaves, one that is drawn, one that is set up.
+pub const FRAMES_MAX: u32 = 3;
+
+/// Begins frames one after the other, each with the uniforms that were written before its start.
+#[ports(config: splat::Config)]
+pub struct Frames {
+    /// A frame is asked for.
+    start: Input<bool>,
+    /// Writes to uniforms; none comes while a start waits.
+    write: PulseIn<UniformWrite>,
+    /// The frame that began last is set up.
+    set_up: Input<bool>,
+    /// A frame has left.
+    sent: Input<bool>,
+    /// The uniforms of the frame that begins.
+    uniform: PulseOut<UniformWrite>,
+    /// Its uniforms are written, its splats may come.
+    begun: Output<bool>,
+    /// No frame is asked for or under way.
+    idle: Output<bool>,
+}
+
 /// What the unit with the registers is made for.
 #[derive(Debug)]
 pub struct Registered<'a, M: RegisterMap> {
@@ -220,6 +243,9 @@ pub struct Registers<M: RegisterMap> {
     finished: Input<bool>,
     /// No run may begin.
     occupied: Input<bool>,
+    /// The frame of the start that waited has begun.
+    #[when(M::STARTS == When::Ahead)]
+    begun: Input<bool>,
     /// Errors from elsewhere.
     #[port("")]
     #[with(&unit.sources)]

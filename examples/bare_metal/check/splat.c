@@ -3,6 +3,8 @@
 
 #include "check.h"
 
+#include <string.h>
+
 #define BUFFER_BASE 0x100000u
 #define DISCS 40
 /* The header's counts have no sign. */
@@ -219,6 +221,25 @@ static void check_frame(const struct splat_core *splat, uint32_t *samples)
     CHECK(core_read(&splat->core, SPLAT_PACKETS_OUT) == *samples + 1, "fragments sent");
 }
 
+/* Pictures that follow each other: moved aside, without some of the splats, through another screen filter, and as the first again. */
+static void check_sequence(const struct splat_core *splat)
+{
+    static struct splat_sample frames[4][SAMPLES];
+    struct splat_frame views[3] = {view, view, view};
+    struct splat_picture pictures[4];
+    views[1].origin[0] += 3;
+    views[2].filter_radius = 1.5f;
+    for (uint32_t i = 0; i < 4; i++)
+        pictures[i] = (struct splat_picture){&views[i % 3], discs, i == 1 ? DISCS - 1 : DISCS, frames[i], SAMPLES, 0};
+    CHECK_STATUS(splat_draw_all(splat, pictures, 4), CORE_OK);
+    for (uint32_t i = 0; i < 4; i++) {
+        uint32_t sure, wrong;
+        memcpy(frame, frames[i], sizeof frame);
+        wrong = wrong_samples(pictures[i].view, pictures[i].count, pictures[i].samples, &sure);
+        CHECK(wrong == 0 && sure > 2000, "picture %u: %u of %u samples, %u sure", i, wrong, pictures[i].samples, sure);
+    }
+}
+
 /* What is not to be drawn: behind the near plane, beyond depth 1, turned away. */
 static void check_unseen(const struct splat_core *splat)
 {
@@ -247,9 +268,14 @@ static void check_refusals(const struct splat_core *splat)
     CHECK_STATUS(core_write(core, SPLAT_BUFFER_BASE, BUFFER_BASE + 4), CORE_REFUSED);
     CHECK(!core->platform->read32(core->platform->context, SPLAT_M00, &value) && value == 0, "a uniform is read");
     CHECK_STATUS(core_start(core), CORE_OK);
-    CHECK_STATUS(core_write(core, SPLAT_M00, 0), CORE_REFUSED);
+    CHECK_STATUS(core_write(core, SPLAT_BUFFER_BASE, BUFFER_BASE), CORE_REFUSED);
     CHECK_STATUS(core_write(core, SPLAT_CONTROL, SPLAT_CONTROL_RESET), CORE_REFUSED);
-    check_errors(core, (struct core_errors){3, 2, 0, 0, 0});
+    while (core_read(core, SPLAT_STATUS) & SPLAT_STATUS_WAITING)
+        ;
+    CHECK_STATUS(core_start(core), CORE_OK);
+    CHECK_STATUS(core_start(core), CORE_REFUSED);
+    CHECK_STATUS(core_write(core, SPLAT_M00, 0), CORE_REFUSED);
+    check_errors(core, (struct core_errors){3, 4, 0, 0, 0});
     CHECK_STATUS(core_abort(core, packet, sizeof packet), CORE_ABORTED);
     CHECK_STATUS(core_clear_errors(core), CORE_OK);
     check_errors(core, (struct core_errors){0, 0, 0, 0, 0});
@@ -323,6 +349,7 @@ int main(int arguments, char **argument)
     CHECK_STATUS(splat_open(&splat, &platform, PATIENCE, BUFFER_BASE), CORE_OK);
     CHECK_STATUS(splat_set_frame(&splat, &view), CORE_OK);
     check_frame(&splat, &samples);
+    check_sequence(&splat);
     check_unseen(&splat);
     check_refusals(&splat);
     check_abort(&splat);

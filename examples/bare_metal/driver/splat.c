@@ -117,34 +117,64 @@ static void read_fragment(const uint8_t *packet, struct splat_sample *sample)
 #endif
 }
 
-enum core_status splat_draw(const struct splat_core *splat, const struct splat_disc *discs, uint32_t count,
-                            struct splat_sample *frame, uint32_t room, uint32_t *samples)
+/* Asks for a picture, whose uniforms the core takes when the one before is set up. */
+static enum core_status ask_for(const struct splat_core *splat, const struct splat_picture *picture)
+{
+    const enum core_status status = picture->view ? splat_set_frame(splat, picture->view) : CORE_OK;
+    return status == CORE_OK ? core_start(&splat->core) : status;
+}
+
+enum core_status splat_draw_all(const struct splat_core *splat, struct splat_picture *pictures, uint32_t count)
 {
     const struct core *core = &splat->core;
     uint8_t packet[SPLAT_SPLAT_BYTES > SPLAT_FRAGMENT_BYTES ? SPLAT_SPLAT_BYTES : SPLAT_FRAGMENT_BYTES];
-    uint32_t sent = 0, idle = 0;
-    bool has_ended = false;
-    enum core_status status = core_start(core);
+    /* Pictures asked for, those whose splats are sent, those that have come. */
+    uint32_t asked = 0, sent = 0, come = 0;
+    uint32_t splats = 0, idle = 0;
+    enum core_status status = CORE_OK;
 
-    *samples = 0;
-    if (status != CORE_OK)
-        return status;
+    for (uint32_t i = 0; i < count; i++)
+        pictures[i].samples = 0;
     /* Fragments are taken while splats are sent: the core does not hold all of either. */
-    while (!has_ended && idle <= core->patience) {
+    while (come < count && idle <= core->patience && status == CORE_OK) {
         idle++;
-        if (sent <= count) {
-            make_splat(packet, sent < count ? &discs[sent] : NULL);
+        if (asked < count && asked == sent && !(core_read(core, SPLAT_STATUS) & SPLAT_STATUS_WAITING)) {
+            status = ask_for(splat, &pictures[asked++]);
+            if (status != CORE_OK && asked == 1)
+                return status;
+        }
+        if (sent < asked) {
+            const struct splat_picture *picture = &pictures[sent];
+            make_splat(packet, splats < picture->count ? &picture->discs[splats] : NULL);
             if (core_send(core, packet, SPLAT_SPLAT_BYTES)) {
-                sent++;
                 idle = 0;
+                if (splats++ == picture->count) {
+                    splats = 0;
+                    sent++;
+                }
             }
         }
         if (core_receive(core, packet, SPLAT_FRAGMENT_BYTES)) {
+            struct splat_picture *picture = &pictures[come];
             idle = 0;
-            has_ended = core_get(packet, FIELD(splat_fragment, end));
-            if (!has_ended && (*samples)++ < room)
-                read_fragment(packet, &frame[*samples - 1]);
+            if (core_get(packet, FIELD(splat_fragment, end)))
+                come++;
+            else if (picture->samples++ < picture->room)
+                read_fragment(packet, &picture->frame[picture->samples - 1]);
         }
     }
-    return has_ended ? core_finish(core) : core_abort(core, packet, SPLAT_FRAGMENT_BYTES);
+    if (come < count) {
+        const enum core_status aborted = core_abort(core, packet, SPLAT_FRAGMENT_BYTES);
+        return status == CORE_OK ? aborted : status;
+    }
+    return core_finish(core);
+}
+
+enum core_status splat_draw(const struct splat_core *splat, const struct splat_disc *discs, uint32_t count,
+                            struct splat_sample *frame, uint32_t room, uint32_t *samples)
+{
+    struct splat_picture picture = {NULL, discs, count, frame, room, 0};
+    const enum core_status status = splat_draw_all(splat, &picture, 1);
+    *samples = picture.samples;
+    return status;
 }

@@ -41,13 +41,30 @@ struct splat_sample {
 enum core_status splat_open(struct splat_core *splat, const struct platform *platform, uint32_t patience,
                             uint32_t buffer_base);
 
+/* A picture to be drawn. */
+struct splat_picture {
+    /* How it is seen; as the picture before if there is none. */
+    const struct splat_frame *view;
+    /* What is seen. */
+    const struct splat_disc *discs;
+    uint32_t count;
+    /* Where the first `room` of its samples go. */
+    struct splat_sample *frame;
+    uint32_t room;
+    /* How many it has. */
+    uint32_t samples;
+};
+
 /* Writes all uniforms. Between frames they may change in any way. */
 enum core_status splat_set_frame(const struct splat_core *splat, const struct splat_frame *frame);
 
 /*
- * Draws a frame and stores its samples, the first `room` of them; `samples` counts them all. After CORE_ABORTED the core
- * is ready for another frame.
+ * Draws pictures one after the other, each while the one before leaves. After CORE_ABORTED the core is ready for others;
+ * what has come of these is no whole picture.
  */
+enum core_status splat_draw_all(const struct splat_core *splat, struct splat_picture *pictures, uint32_t count);
+
+/* Draws a picture as the uniforms are; counts its samples, and stores the first `room` of them. */
 enum core_status splat_draw(const struct splat_core *splat, const struct splat_disc *discs, uint32_t count,
                             struct splat_sample *frame, uint32_t room, uint32_t *samples);
 

@@ -34,6 +34,8 @@ pub struct Registers {
     pub busy: bool,
     /// A run has ended since the last start.
     pub done: bool,
+    /// A start waits until its frame begins, in a core that may be started ahead.
+    pub waiting: bool,
     /// Uniforms as they were written: number and value.
     pub uniforms: Vec<(u32, u32)>,
     /// Resets of the core.
@@ -53,6 +55,7 @@ impl Registers {
             counters: BTreeMap::new(),
             busy: false,
             done: false,
+            waiting: false,
             uniforms: vec![],
             resets: 0,
             aborts: 0,
@@ -73,10 +76,15 @@ impl Registers {
         }
     }
 
-    /// The run ended.
-    pub fn finish(&mut self) {
+    /// The frame of the start that waited has begun.
+    pub const fn begin(&mut self) {
+        self.waiting = false;
+    }
+
+    /// The run ended, and with it whatever waits.
+    pub const fn finish(&mut self) {
         self.done |= self.busy;
-        self.busy = false;
+        (self.busy, self.waiting) = (false, false);
     }
 
     /// A setting's value by its address.
@@ -102,19 +110,24 @@ impl Registers {
         let Some(register) = register.filter(|_| strobes == ALL_STROBES) else {
             return self.refuse(ErrorCounter::Access);
         };
-        let is_control = register.kind == RegisterKind::Control;
+        let is_control = matches!(register.kind, RegisterKind::Control(_));
         let (starts, resets) = (is_control && data & START != 0, is_control && data & RESET != 0);
-        let needs_idle = if is_control { starts || resets } else { register.when() == When::Idle };
-        if (needs_idle && self.busy) || (starts && occupied) {
+        let is_free = match register.when() {
+            When::Always => true,
+            When::Ahead => !self.waiting,
+            When::Idle => !self.busy,
+        };
+        let needs_it = !is_control || starts;
+        if (needs_it && !is_free) || (resets && self.busy) || (starts && occupied) {
             return self.refuse(ErrorCounter::Busy);
         }
         let value = data & (u32::MAX >> (32 - register.width));
         match register.kind {
-            RegisterKind::Control => {
+            RegisterKind::Control(when) => {
                 if starts && self.lacks_queries() {
                     return self.refuse(ErrorCounter::Access);
                 }
-                self.command(data);
+                self.command(data, when);
             }
             RegisterKind::Setting { multiple } if !value.is_multiple_of(multiple) => {
                 return self.refuse(ErrorCounter::Access);
@@ -132,11 +145,14 @@ impl Registers {
         Response::Okay
     }
 
-    fn command(&mut self, data: u32) {
+    fn command(&mut self, data: u32, starts: When) {
         if data & START != 0 {
+            self.waiting = starts == When::Ahead;
+            if !self.busy {
+                self.done = false;
+                self.counters.clear();
+            }
             self.busy = true;
-            self.done = false;
-            self.counters.clear();
         }
         self.resets += u32::from(data & RESET != 0);
         self.aborts += u32::from(data & ABORT != 0);
@@ -161,9 +177,10 @@ impl Registers {
         };
         let value = match register.kind {
             RegisterKind::Identity(value) => value,
-            RegisterKind::Status => {
+            RegisterKind::Status(_) => {
                 let error = self.errors.iter().any(|count| *count > 0);
-                u32::from(self.busy) | u32::from(self.done) << 1 | u32::from(error) << 2
+                let bits = [self.busy, self.done, error, self.waiting];
+                bits.iter().rev().fold(0, |status, bit| status << 1 | u32::from(*bit))
             }
             RegisterKind::Errors(error) => self.errors[error as usize],
             RegisterKind::Run(counter) => self.counters.get(&counter).copied().unwrap_or(0),

@@ -5,7 +5,7 @@ use pointcore_contract::bus::config::{REGISTER_BITS, WRITES_MAX};
 use pointcore_contract::bus::packets::{FieldRange, Packet};
 use pointcore_contract::bus::registers::{
     self as map, ErrorSources, MapEntry, Register, RegisterKind, RegisterMap, SearchRegisters, SplatRegisters,
-    UniformBits,
+    UniformBits, When,
 };
 use pointcore_contract::bus::units::window_bits;
 use pointcore_contract::splat::config::{RUN_PIXELS_MAX, TILE_PIXELS};
@@ -161,6 +161,8 @@ impl RegisterMap for EveryKind {
     type Settings = Settings;
     type Events = Events;
 
+    const STARTS: When = When::Ahead;
+
     fn registers(config: &()) -> Vec<Register> {
         let search = SearchRegisters::registers(&search::Config::default());
         let entries =
@@ -169,7 +171,7 @@ impl RegisterMap for EveryKind {
         let uniforms =
             uniforms.into_iter().filter(|register| register.kind == RegisterKind::Uniform).take(UNIFORMS as usize);
         let uniforms = uniforms.map(|register| Register { width: VALUE_BITS, ..register });
-        let common = map::common(search[0].reset(), &fields::<Events>(config));
+        let common = map::common(search[0].reset(), Self::STARTS, &fields::<Events>(config));
         common.into_iter().chain(map::settings::<Settings>(config, entries)).chain(uniforms).collect()
     }
 }

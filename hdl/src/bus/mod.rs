@@ -2,6 +2,7 @@
 
 pub mod abort;
 pub mod cores;
+pub mod frames;
 pub mod packet_in;
 pub mod packet_out;
 pub mod reader;
@@ -133,6 +134,13 @@ mod tests {
     #[test]
     fn the_abort_has_the_specified_ports() {
         check(&abort::module(), units::abort::interface(&()).ports());
+    }
+
+    #[test]
+    fn frames_have_the_specified_ports() {
+        for config in splats() {
+            check(&frames::module(&config), units::frames::interface(&config).ports());
+        }
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The register maps of the cores.
 
 use super::{
-    CONTROL, CONTROL_BITS, COUNTERS, ERRORS, EVENTS, ID, INTERRUPT_ENABLE, RUN_COUNTERS, Register, RegisterKind,
-    RunCounter, SETTINGS, STATUS, UNIFORMS,
+    CONTROL, COUNTERS, ERRORS, EVENTS, ID, INTERRUPT_ENABLE, RUN_COUNTERS, Register, RegisterKind, RunCounter,
+    SETTINGS, STATUS, UNIFORMS, When,
 };
 use crate::bus::config::{BORDER_BYTES, REGISTER_BITS};
 use crate::process::Scalar;
@@ -32,6 +32,9 @@ pub trait RegisterMap {
     type Settings: Record<Domain = Words, Config = Self::Config>;
     /// What they count for it, in the order of the map.
     type Events: Record<Domain = Words, Config = Self::Config>;
+
+    /// When `start` may be written.
+    const STARTS: When;
 
     /// The registers by address.
     #[must_use]
@@ -136,7 +139,11 @@ pub fn settings<R: Record>(config: &R::Config, mut entries: R::In<MapEntries>) -
 
 /// What every map begins with: identity to counters.
 #[must_use]
-pub fn common(identity: u32, events: &[Field]) -> Vec<Register> {
+pub fn common(identity: u32, starts: When, events: &[Field]) -> Vec<Register> {
+    let with_bits = |name, address, kind, doc| {
+        let register = Register::new(name, address, kind, 0, doc);
+        Register { width: register.bits().len() as u32, ..register }
+    };
     let mut map = vec![
         Register::new(
             "id",
@@ -145,9 +152,9 @@ pub fn common(identity: u32, events: &[Field]) -> Vec<Register> {
             32,
             "\"PC\", the core (0x0A, 0x0B or 0x0C), the layout's version (1)",
         ),
-        Register::new("control", CONTROL, RegisterKind::Control, CONTROL_BITS.len() as u32, "commands"),
-        Register::new("status", STATUS, RegisterKind::Status, 3, "where the core is"),
-        Register::new("interrupt_enable", INTERRUPT_ENABLE, RegisterKind::InterruptEnable, 1, "what raises `irq`"),
+        with_bits("control", CONTROL, RegisterKind::Control(starts), "commands"),
+        with_bits("status", STATUS, RegisterKind::Status(starts), "where the core is"),
+        with_bits("interrupt_enable", INTERRUPT_ENABLE, RegisterKind::InterruptEnable, "what raises `irq`"),
     ];
     let errors = ERRORS.map(|(counter, name, doc)| (name, doc.to_owned(), RegisterKind::Errors(counter)));
     let run = RUN_COUNTERS.map(|(counter, name, doc)| (name, doc.to_owned(), RegisterKind::Run(counter)));
@@ -185,8 +192,10 @@ impl RegisterMap for SplatRegisters {
     type Settings = SplatSettings;
     type Events = splat::units::Events;
 
+    const STARTS: When = When::Ahead;
+
     fn registers(config: &splat::Config) -> Vec<Register> {
-        let mut map = common(identity(SPLAT), &fields::<Self::Events>(config));
+        let mut map = common(identity(SPLAT), Self::STARTS, &fields::<Self::Events>(config));
         map.extend(settings::<SplatSettings>(config, SplatSettings { buffer_base: MapEntry::base(0) }));
         let width = config.geometry.width();
         let uniforms = fields::<Uniforms>(config).into_iter().zip(uniform_formats(config));
@@ -233,6 +242,8 @@ impl RegisterMap for SearchRegisters {
     type Settings = SearchSettings;
     type Events = search::units::Events;
 
+    const STARTS: When = When::Idle;
+
     fn registers(config: &search::Config) -> Vec<Register> {
         let entries = SearchSettings {
             points_base: MapEntry::base(0),
@@ -242,7 +253,7 @@ impl RegisterMap for SearchRegisters {
             cache_far_scale: MapEntry::number(0x10, config.geometry),
             cache_margin_scale: MapEntry::number(0x14, config.geometry),
         };
-        let mut map = common(identity(SEARCH), &fields::<Self::Events>(config));
+        let mut map = common(identity(SEARCH), Self::STARTS, &fields::<Self::Events>(config));
         map.extend(settings::<SearchSettings>(config, entries));
         map
     }
@@ -304,6 +315,8 @@ impl RegisterMap for PointsRegisters {
     type Settings = PointsSettings;
     type Events = points::units::Events;
 
+    const STARTS: When = When::Idle;
+
     fn registers(config: &points::Config) -> Vec<Register> {
         let geometry = config.search.geometry;
         let at = |place: u32| POINTS_OFFSET + 4 * place;
@@ -329,7 +342,7 @@ impl RegisterMap for PointsRegisters {
             iterations_max: MapEntry::within(at(10), 1, u16::MAX as u32),
             program: std::array::from_fn(constant),
         };
-        let mut map = common(identity(POINTS), &fields::<Self::Events>(config));
+        let mut map = common(identity(POINTS), Self::STARTS, &fields::<Self::Events>(config));
         map.extend(settings::<PointsSettings>(config, entries));
         map
     }

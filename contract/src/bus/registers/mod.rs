@@ -37,11 +37,12 @@ pub const CONTROL_BITS: [(&str, &str); 4] = [
         "ends the run under way: the core is reset, what is under way on the buses is taken and dropped; without a run, nothing",
     ),
 ];
-/// Bits of `status`.
-pub const STATUS_BITS: [(&str, &str); 3] = [
+/// Bits of `status`; the last where a `start` may wait.
+pub const STATUS_BITS: [(&str, &str); 4] = [
     ("busy", "a run is under way"),
     ("done", "a run has ended since the last start"),
     ("error", "an error counter is not zero"),
+    ("waiting", "a start waits until its frame may begin"),
 ];
 /// Bits of `interrupt_enable`.
 pub const INTERRUPT_BITS: [(&str, &str); 1] = [("done", "`irq` is high while `done` is")];
@@ -154,6 +155,8 @@ pub enum Access {
 pub enum When {
     /// At any time.
     Always,
+    /// While no start waits.
+    Ahead,
     /// While no run is under way.
     Idle,
 }
@@ -163,10 +166,10 @@ pub enum When {
 pub enum RegisterKind {
     /// A constant.
     Identity(u32),
-    /// Commands, [`CONTROL_BITS`].
-    Control,
-    /// [`STATUS_BITS`].
-    Status,
+    /// Commands, [`CONTROL_BITS`], of which `start` may be written then.
+    Control(When),
+    /// [`STATUS_BITS`], of a core that may be started then.
+    Status(When),
     /// [`INTERRUPT_BITS`].
     InterruptEnable,
     /// Counts errors until they are cleared.
@@ -215,10 +218,10 @@ impl Register {
     #[must_use]
     pub const fn access(&self) -> Access {
         match self.kind {
-            RegisterKind::Identity(_) | RegisterKind::Status | RegisterKind::Errors(_) | RegisterKind::Run(_) => {
+            RegisterKind::Identity(_) | RegisterKind::Status(_) | RegisterKind::Errors(_) | RegisterKind::Run(_) => {
                 Access::Read
             }
-            RegisterKind::Control | RegisterKind::Uniform => Access::Write,
+            RegisterKind::Control(_) | RegisterKind::Uniform => Access::Write,
             RegisterKind::InterruptEnable
             | RegisterKind::Setting { .. }
             | RegisterKind::Range { .. }
@@ -226,11 +229,13 @@ impl Register {
         }
     }
 
-    /// When it may be written; of `control`, `clear_errors` always may.
+    /// When it may be written; of `control`, `start`: `reset` only while no run is under way, the others always.
     #[must_use]
     pub const fn when(&self) -> When {
         match self.kind {
             RegisterKind::InterruptEnable => When::Always,
+            RegisterKind::Control(start) => start,
+            RegisterKind::Uniform => When::Ahead,
             _ => When::Idle,
         }
     }
@@ -249,8 +254,9 @@ impl Register {
     #[must_use]
     pub const fn bits(&self) -> &'static [(&'static str, &'static str)] {
         match self.kind {
-            RegisterKind::Control => &CONTROL_BITS,
-            RegisterKind::Status => &STATUS_BITS,
+            RegisterKind::Control(_) => &CONTROL_BITS,
+            RegisterKind::Status(When::Ahead) => &STATUS_BITS,
+            RegisterKind::Status(_) => STATUS_BITS.split_at(STATUS_BITS.len() - 1).0,
             RegisterKind::InterruptEnable => &INTERRUPT_BITS,
             _ => &[],
         }

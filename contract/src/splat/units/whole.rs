@@ -8,10 +8,13 @@ use crate::unit;
 /// The renderer.
 #[unit(splat_top, config: Config)]
 pub struct Top {
-    /// Write to a uniform register, not while a frame is under way.
+    /// Write to a uniform register: after `frame_set_up` of the last frame and before the first splat of the next, `filter_scale`
+    /// while no frame is under way.
     uniform: PulseIn<UniformWrite>,
     /// Splats in world space.
     splat: In<Splat>,
+    /// All splats of a frame were set up in the last cycle.
+    frame_set_up: Output<bool>,
     /// Request for pixels of a tile.
     read: Out<PixelRun>,
     /// The pixels requested, in order.

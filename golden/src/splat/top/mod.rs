@@ -57,6 +57,7 @@ pub struct Top {
     setup: Setup,
     splitter: Splitter,
     lanes: Lanes,
+    frame_set_up: bool,
     frame_sent: bool,
     normalizer: Normalizer,
 }
@@ -73,6 +74,7 @@ impl Top {
             setup: Setup::new(config, latencies.setup),
             splitter: Splitter::new(config),
             lanes: Lanes::new(config, latencies),
+            frame_set_up: false,
             frame_sent: false,
             normalizer: Normalizer::new(config, latencies.normalizer),
         }
@@ -110,6 +112,7 @@ impl Top {
             near_plane: uniforms.near_plane,
             filter_radius: uniforms.filter_radius,
         });
+        self.frame_set_up = setup.out.is_some_and(|splat| splat.end) && splitter.in_ready;
         self.splitter.clock(&splitter::In { input: setup.out, out_ready: in_ready });
         self.lanes.step(&shown.lanes_see(inputs, uniforms.filter_scale & self.filter_scale_bits), lanes);
         self.frame_sent = pixel.is_some_and(|pixel| pixel.end) && shown.normalizer.in_ready;
@@ -130,6 +133,7 @@ impl Model for Top {
         let lane::Out { read, data_ready, write, .. } = lanes.ports();
         Out {
             splat_ready: self.transform.outputs().in_ready,
+            frame_set_up: self.frame_set_up,
             read,
             data_ready,
             write,

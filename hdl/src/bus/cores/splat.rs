@@ -12,14 +12,14 @@ use pointcore_contract::splat::units::top::PORTS;
 
 use super::buffer::{Buffer, Placed, Run};
 use super::wiring::{Abort, report};
-use crate::bus::{Top, packet_in, packet_out, reader, registers, writer};
+use crate::bus::{Top, frames, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::top;
 use crate::stream::fifo;
 use crate::units::passage::Passage;
 use crate::units::ports::{
     Flow, InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, export,
-    pipe,
+    pipe, pulse,
 };
 use crate::units::wires::layout;
 use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
@@ -34,6 +34,7 @@ const PIXELS_ASKED_MAX: u32 = 128;
 const TOP: Ports = Ports::ALL;
 const CONTROL: units::registers::Ports<SplatRegisters> = units::registers::Ports::ALL;
 const SPLATS: units::packet_in::Ports<Splat> = units::packet_in::Ports::ALL;
+const FRAMES: units::frames::Ports = units::frames::Ports::ALL;
 const FRAGMENTS: units::packet_out::Ports<Fragment> = units::packet_out::Ports::ALL;
 const READS: units::reader::Ports<Pixel> = units::reader::Ports::ALL;
 const WRITES: units::writer::Ports<Pixel> = units::writer::Ports::ALL;
@@ -51,6 +52,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let core = m.instance("core", core_module.clone());
     let control = m.instance("registers", registers::module::<SplatRegisters>(config, ERROR_SOURCES));
     let splats = m.instance("splats", packet_in::module::<Splat>(config, bus.stream_bits));
+    let frames = m.instance("frames", frames::module(config));
     let fragments = m.instance("fragments", packet_out::module::<Fragment>(config, bus.stream_bits));
     let reads = m.instance("reads", reader::module::<Pixel>(config, bus.memory_bits, RUN_PIXELS_MAX));
     let writes = m.instance("writes", writer::module::<Pixel>(config, bus.memory_bits));
@@ -64,11 +66,18 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let abort = Abort::place::<SplatRegisters>(&mut m, control);
     m.reset_by(core, core_reset | abort.drops);
     m.reset_by(splats, abort.drops);
-    SPLATS.opens.feed_word(&mut m, splats, start);
     pipe(&mut m, config, (splats, SPLATS.out), (core, PORTS.splat));
+    m.reset_by(frames, abort.drops);
+    FRAMES.start.feed_word(&mut m, frames, start);
     let written = CONTROL.uniform.of(&mut m, &uniform_bits(config), control);
     let record = UniformWrite { address: written.record.address, data: written.record.data };
-    PORTS.uniform.feed(&mut m, config, core, Pulse { valid: written.valid, record });
+    FRAMES.write.feed(&mut m, config, frames, Pulse { valid: written.valid, record });
+    pulse(&mut m, config, (frames, FRAMES.uniform), (core, PORTS.uniform));
+    let begun = FRAMES.begun.word_of(&mut m, frames);
+    CONTROL.begun.feed_word(&mut m, control, begun);
+    SPLATS.opens.feed_word(&mut m, splats, begun);
+    let set_up = PORTS.frame_set_up.word_of(&mut m, core);
+    FRAMES.set_up.feed_word(&mut m, frames, set_up);
 
     let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
     let buffer =
@@ -81,16 +90,15 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let (read, all_came) = read_pixels(&mut m, config, core, reads, abort);
     buffer.order(&mut m, read, write);
 
-    // The run ends when its last packet has left and memory has answered.
+    // The run ends when the last packet of its frames has left and memory has answered.
     let fragment = PORTS.fragment.of(&mut m, config, core);
     FRAGMENTS.input.feed(&mut m, config, fragments, fragment);
-    let is_last = m.wire("is_last", fragment.transfer() & fragment.record.end);
-    let has_ended = m.reg_reset("has_ended", 1, 0);
-    m.next(has_ended, is_last | (has_ended & !start));
+    FRAMES.sent.feed_word(&mut m, frames, fragment.transfer() & fragment.record.end);
+    let no_frame = FRAMES.idle.word_of(&mut m, frames);
     let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
     let idle = m.wire("is_idle", idle[0] & idle[1]);
     let quiet = m.wire("quiet", idle & all_came);
-    let finished = abort.finished(&mut m, (has_ended & !start) & idle, quiet);
+    let finished = abort.finished(&mut m, (no_frame & !start) & idle, quiet);
     CONTROL.finished.feed_word(&mut m, control, finished);
     CONTROL.occupied.feed_word(&mut m, control, abort.drops);
 

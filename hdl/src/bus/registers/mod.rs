@@ -64,6 +64,11 @@ const fn is_counter(register: &Register) -> bool {
     matches!(register.kind, RegisterKind::Errors(_) | RegisterKind::Run(_))
 }
 
+/// Whether a register takes commands.
+const fn is_control(register: &Register) -> bool {
+    matches!(register.kind, RegisterKind::Control(_))
+}
+
 /// A register's number.
 fn word_of(register: &Register) -> u128 {
     (register.address >> BYTE_BITS).into()
@@ -87,12 +92,14 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     let busy = m.reg_reset("busy", 1, 0);
     let is_stored = |register: &&Register| register.access() == Access::ReadWrite;
     let stored: Vec<Stored> = map.iter().filter(is_stored).map(|register| Stored::new(&mut m, register)).collect();
-    let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, *busy, occupied);
+    let waiting = (M::STARTS == When::Ahead).then(|| m.reg_reset("waiting", 1, 0));
+    let state = State { busy: *busy, waiting: waiting.map_or(bit(false), |waiting| *waiting), occupied };
+    let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, state);
     for Stored { register, bits } in &stored {
         let value = write.data.bits(register.width - 1, zero_bits(register));
         m.next_if(*bits, write.accepted & write.chooses(register), value);
     }
-    let control = map.iter().find(|register| register.kind == RegisterKind::Control).expect("every map has `control`");
+    let control = map.iter().find(|register| is_control(register)).expect("every map has `control`");
     let commands = m.wire("commands", write.accepted & write.chooses(control));
     let pulses = ["start", "core_reset", "clear_errors", "aborts"].map(|name| m.reg_reset(name, 1, 0));
     for (number, pulse) in (0..).zip(pulses) {
@@ -101,6 +108,14 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     let [start, core_reset, clear_errors, aborts] = pulses;
     let starts = m.wire("starts", commands & write.data.bit(0));
     m.next(busy, starts | (busy & !finished));
+    // A start ahead goes on with the run, and with what it counts.
+    let begins_run = waiting.map_or(start.expr(), |waiting| {
+        let begun = ports.begun.declare_word(&mut m, 1);
+        m.next(waiting, starts | (waiting & !(begun | finished)));
+        let begins_run = m.reg_reset("begins_run", 1, 0);
+        m.next(begins_run, starts & !busy);
+        begins_run.expr()
+    });
     let done = m.reg_reset("done", 1, 0);
     m.next(done, !starts & (done | (busy & finished)));
     ports.busy.drive_word(&mut m, busy);
@@ -124,14 +139,14 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     let [taken, sent] = [ports.packet_taken, ports.packet_sent].map(|port| port.declare_word(&mut m, 1));
     let events = ports.events.declare(&mut m, config).values(config);
     let in_run = [bit(true), taken, sent].into_iter().chain(events);
-    let in_run = in_run.map(|event| Counter { sources: vec![event & busy.repeat(event.width())], clear: start.expr() });
+    let in_run = in_run.map(|event| Counter { sources: vec![event & busy.repeat(event.width())], clear: begins_run });
     let errors = errors.into_iter().map(|sources| Counter { sources, clear: clear_errors.expr() });
     let counted: Vec<Counter> = errors.chain(in_run).collect();
 
-    let status = cat([error, done, busy]);
+    let status = cat([state.waiting, error.expr(), done.expr(), state.busy]);
     read.answer(&mut m, ports.host, map, &counted, |register| match register.kind {
         RegisterKind::Identity(value) => Some(lit(REGISTER_BITS, value.into())),
-        RegisterKind::Status => Some(status),
+        RegisterKind::Status(_) => Some(status),
         _ => stored.iter().find(|stored| stored.register == register).map(Stored::value),
     });
     let (enables, settings): (Vec<_>, Vec<_>) =
@@ -141,6 +156,17 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     let settings = settings.into_iter().map(Stored::value);
     ports.settings.drive(&mut m, config, Bundle::from_values(config, settings));
     m
+}
+
+/// What a write may have to wait for.
+#[derive(Clone, Copy)]
+struct State {
+    /// A run is under way.
+    busy: Expr,
+    /// A start waits.
+    waiting: Expr,
+    /// No run may begin.
+    occupied: Expr,
 }
 
 /// The write channels: an address and its data wait in registers until both are there.
@@ -206,23 +232,27 @@ impl Write {
     }
 
     /// Accepts the access or not; returns whether it is refused for what it is, and because a run is under way.
-    fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: Expr, occupied: Expr) -> [Expr; 2] {
+    fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], state: State) -> [Expr; 2] {
         let uniform = self.chooses_uniform(map);
         let writable =
             |register: &&Register| register.access() != Access::Read && register.kind != RegisterKind::Uniform;
         let writable: Vec<&Register> = map.iter().filter(writable).collect();
         let known = writable.iter().map(|register| self.chooses(register)).chain([uniform]);
         let shaped = m.wire("shaped", self.is_whole & any(&known.collect::<Vec<_>>()));
-        let [start, reset] = [0, 1].map(|number| self.data.bit(number));
-        let idle_only = writable.iter().filter(|register| register.when() == When::Idle).map(|register| {
-            let chosen = self.chooses(register);
-            if register.kind == RegisterKind::Control { chosen & (start | reset) } else { chosen }
-        });
-        let idle_only = m.wire("idle_only", any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
-        let control = map.iter().filter(|register| register.kind == RegisterKind::Control);
-        let starts = any(&control.map(|register| self.chooses(register) & start).collect::<Vec<_>>());
-        let starts = m.wire("wants_start", starts);
-        let blocked = m.wire("blocked", (idle_only & busy) | (starts & occupied));
+        let commands = |number| {
+            let control = map.iter().filter(|register| is_control(register));
+            any(&control.map(|register| self.chooses(register) & self.data.bit(number)).collect::<Vec<_>>())
+        };
+        let starts = m.wire("wants_start", commands(0));
+        let needs = |when, others: Expr| {
+            let needing = writable.iter().filter(|register| register.when() == when);
+            let needing = needing.map(|register| if is_control(register) { starts } else { self.chooses(register) });
+            any(&needing.chain([others]).collect::<Vec<_>>())
+        };
+        let idle_only = m.wire("idle_only", needs(When::Idle, commands(1)));
+        let ahead_only = m.wire("ahead_only", needs(When::Ahead, uniform));
+        let blocked = (idle_only & state.busy) | (ahead_only & state.waiting) | (starts & state.occupied);
+        let blocked = m.wire("blocked", blocked);
         let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
             (RegisterKind::Queries, _) => starts & bits.is_zero(),
             (RegisterKind::Range { low, high }, _) => self.chooses(register) & !self.lies_within(register, low, high),

@@ -87,7 +87,9 @@ fn chain(m: &mut Module, config: &Config, instances: &Instances) {
     let splat = PORTS.splat.declare(m, config);
     units::transform::PORTS.input.feed(m, config, transform, splat);
     pipe(m, config, (transform, units::transform::PORTS.out), (setup, units::setup::PORTS.input));
-    pipe(m, config, (setup, units::setup::PORTS.out), (splitter, units::splitter::PORTS.input));
+    let set_up = units::setup::PORTS.out.of(m, config, setup);
+    PORTS.frame_set_up.event(m, set_up.transfer() & set_up.record.end);
+    units::splitter::PORTS.input.feed(m, config, splitter, set_up);
     pipe(m, config, (splitter, units::splitter::PORTS.out), (lanes.root.distributor, lane::PORTS.input));
 }
 

@@ -16,6 +16,7 @@ pub const ABORT: u32 = 8;
 /// Bits of `status`.
 pub const BUSY: u32 = 1;
 pub const DONE: u32 = 2;
+pub const WAITING: u32 = 8;
 /// Values with bits in all places.
 const PATTERNS: [u32; 6] = [0x5555_5555, 0xaaaa_aaaa, 0x0f0f_f0f0, 0x3333_cccc, u32::MAX, 0];
 
@@ -55,6 +56,10 @@ fn senseless(register: &Register) -> Vec<u32> {
     }
 }
 
+const fn is_control(register: &Register) -> bool {
+    matches!(register.kind, RegisterKind::Control(_))
+}
+
 fn held(map: &[Register]) -> impl Iterator<Item = &Register> {
     map.iter().filter(|register| register.access() == Access::ReadWrite)
 }
@@ -85,7 +90,7 @@ pub fn check_accesses(script: &mut Script, map: &[Register]) {
         }
         (1..4).for_each(|byte| script.refuse_read(address + byte));
         script.sync();
-        if register.kind == RegisterKind::Control {
+        if is_control(register) {
             continue;
         }
         (1..4).for_each(|byte| script.refuse_write(address + byte, u32::MAX, 0xf, Refusal::Access));
@@ -172,14 +177,14 @@ pub fn clear(script: &mut Script) {
     script.cleared();
 }
 
-/// During a run: all that must not be done then is refused, and counted as such.
+/// During a run, and where starts may wait while one does: all that must not be done then is refused, and counted as such.
 pub fn refuse_while_busy(script: &mut Script, map: &[Register]) {
     for command in
         [START, RESET, START | RESET, START | CLEAR_ERRORS, RESET | ABORT, START | RESET | CLEAR_ERRORS | ABORT]
     {
         script.refuse(CONTROL, command, Refusal::Busy);
     }
-    let locked = |register: &&Register| register.access() != Access::Read && register.kind != RegisterKind::Control;
+    let locked = |register: &&Register| register.access() != Access::Read && !is_control(register);
     for register in map.iter().filter(locked).filter(|register| register.address != INTERRUPT_ENABLE) {
         // A run under way is judged before the value.
         script.refuse(register.address, u32::MAX, Refusal::Busy);

@@ -1,6 +1,7 @@
 //! The script that a bench on AXI plays: operations and data as words of 32 bits, and what the host has counted so far.
 
 use super::operations::{Burst, Channel, Counted, Pauses, Refusal};
+use super::registers::START;
 use fastrand::Rng;
 use pointcore_contract::bus::registers::{CONTROL, COUNTERS, ERRORS, ErrorCounter, STATUS};
 use std::collections::HashMap;
@@ -101,8 +102,15 @@ impl Script {
     /// Asks for a write, and goes on.
     pub fn begin_write(&mut self, address: u32, value: u32) {
         self.writes += 1;
-        let begins_run = u32::from(address == CONTROL && value & 1 != 0) << 2;
+        let begins_run = u32::from(address == CONTROL && value & START != 0) << 2;
         self.operation(3, (begins_run | OKAY) << 16 | ALL_STROBES << 12 | address, &[value]);
+    }
+
+    /// Asks for another frame in the run under way.
+    pub fn start_ahead(&mut self) {
+        self.writes += 1;
+        self.operation(3, OKAY << 16 | ALL_STROBES << 12 | CONTROL, &[START]);
+        self.sync();
     }
 
     /// Writes a register.
@@ -244,9 +252,9 @@ impl Script {
         self.operation(15, beats << 8 | memory, &[]);
     }
 
-    /// Waits for the end of a run without the interrupt.
-    pub fn wait_idle(&mut self) {
-        self.operation(16, 0, &[]);
+    /// Waits until these bits of `status` are low.
+    pub fn wait_low(&mut self, bits: u32) {
+        self.operation(16, bits, &[]);
     }
 
     /// The level of the interrupt.

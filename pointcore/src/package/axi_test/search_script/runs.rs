@@ -148,7 +148,7 @@ impl<'a> Host<'a> {
         self.control.script.read(STATUS, BUSY);
         self.all().for_each(|index| self.send(index));
         self.control.script.wait_received(0);
-        self.control.script.wait_idle();
+        self.control.script.wait_low(BUSY);
         self.control.script.interrupt(0);
         self.control.script.errors(DONE);
         self.control.script.write(INTERRUPT_ENABLE, 1);

@@ -20,7 +20,7 @@ const OFFSET_PX: f64 = 2.0;
 /// Where splats lie before the eye.
 const DEPTH: f64 = 5.0;
 /// Frames of a script.
-const FRAMES: usize = 2;
+const FRAMES: usize = 3;
 
 /// A frame and the fragments that come of it.
 pub struct Frame {
@@ -42,9 +42,10 @@ pub fn all(config: &Config, core: &SplatCore) -> Result<Vec<Frame>, LockstepErro
     (0..FRAMES).map(frame).collect()
 }
 
-/// A camera of its own for each frame: straight ahead, and turned and moved aside.
+/// Two cameras: straight ahead, and turned and moved aside.
 fn camera(config: &Config, number: usize) -> Camera {
     let [width, height] = [config.width, config.height].map(f64::from);
+    let number = number.min(1);
     let (near, far) = [(1.0, 10.0), (2.0, 20.0)][number];
     let depth_a = far / (far - near);
     let straight = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
@@ -68,9 +69,9 @@ fn rendering(config: &Config, number: usize) -> Rendering {
         sampling: config.sampling,
         depth: config.depth,
         kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
-        filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
+        filter_radius_px: Some([1.0, 1.0, 1.5][number] * Rendering::DEFAULT_FILTER_RADIUS_PX),
         epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
-        epsilon_bias: [1e-3, 3e-3][number],
+        epsilon_bias: [1e-3, 3e-3, 3e-3][number],
     }
 }
 

@@ -52,6 +52,7 @@ pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError
     host.run_disturbed();
     host.run_spoilt();
     host.run_long();
+    host.run_ahead();
     host.enter(1);
     host.run(Pauses::Some);
     host.abort_within_packet();

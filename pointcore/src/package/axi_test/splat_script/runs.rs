@@ -2,7 +2,7 @@
 
 use super::super::control::Control;
 use super::super::operations::{Channel, Pauses, Refusal};
-use super::super::registers::{ABORT, BUSY, DONE, RESET, START, clear, refuse_while_busy};
+use super::super::registers::{ABORT, BUSY, DONE, RESET, START, WAITING, clear, refuse_while_busy};
 use super::super::script::{Script, words};
 use super::frames::Frame;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
@@ -13,6 +13,8 @@ use pointcore_contract::{fields, words as values};
 
 /// Where the buffer lies in each frame.
 const BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
+/// Frames of a run: with one camera and another, and with another screen filter.
+const AHEAD: [usize; 6] = [0, 1, 0, 2, 1, 1];
 /// Cycles in which what is under way comes to rest, or to wherever it is held.
 const SETTLE_CYCLES: u32 = 600;
 /// Cycles in which a core has cleared its directory of tiles, beyond one a tile.
@@ -43,16 +45,20 @@ impl<'a> Host<'a> {
 
     /// Writes what a frame needs, in any order.
     pub fn enter(&mut self, frame: usize) {
+        self.control.set("buffer_base", BASES[frame]);
+        self.control.script.write(INTERRUPT_ENABLE, 1);
+        self.look(frame);
+    }
+
+    /// Writes a frame's uniforms, in any order.
+    fn look(&mut self, frame: usize) {
         self.now = frame;
         let uniforms = fields::<Uniforms>(self.config).into_iter();
-        let uniforms = uniforms.zip(values(self.config, self.frames[frame].sent.uniforms));
-        let mut settings: Vec<_> = uniforms.map(|(field, value)| (field.name, value as u32)).collect();
-        settings.push(("buffer_base".to_owned(), BASES[frame]));
-        self.control.script.random.shuffle(&mut settings);
-        for (name, value) in settings {
-            self.control.set(&name, value);
+        let mut uniforms: Vec<_> = uniforms.zip(values(self.config, self.frames[frame].sent.uniforms)).collect();
+        self.control.script.random.shuffle(&mut uniforms);
+        for (field, value) in uniforms {
+            self.control.set(&field.name, value as u32);
         }
-        self.control.script.write(INTERRUPT_ENABLE, 1);
     }
 
     /// The packet of a splat, with noise where it holds nothing.
@@ -80,19 +86,24 @@ impl<'a> Host<'a> {
 
     /// Expects all fragments, and an empty buffer.
     fn expect(&mut self) {
-        let fragments = &self.frames[self.now].fragments;
+        self.expect_all(&[self.now]);
+        self.control.script.place_buffer(BASES[self.now]);
+    }
+
+    /// Expects the fragments of frames that follow each other.
+    fn expect_all(&mut self, frames: &[usize]) {
         let layout = Layout::record::<Fragment>(self.config);
         let bytes = layout.packet_bytes(self.config.bus.stream_bits);
         let packet = |fragment: &Fragment| words(&layout.encode(&values(self.config, *fragment), bytes));
         // Those of a tile come in their order, tiles in any.
-        let tiles = fragments.chunk_by(|one, other| tile(one) == tile(other));
         let mut answers = vec![];
-        for fragments in tiles {
-            let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
-            answers.push((self.control.script.data(&packets), fragments.len() as u32));
+        for frame in frames {
+            for fragments in self.frames[*frame].fragments.chunk_by(|one, other| tile(one) == tile(other)) {
+                let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
+                answers.push((self.control.script.data(&packets), fragments.len() as u32));
+            }
         }
         self.control.script.expect(&answers);
-        self.control.script.place_buffer(BASES[self.now]);
     }
 
     fn settle(&mut self) {
@@ -117,10 +128,11 @@ impl<'a> Host<'a> {
         self.control.script.write(INTERRUPT_ENABLE, 0);
         self.expect();
         self.control.start();
+        self.control.script.wait_low(WAITING);
         self.control.script.read(STATUS, BUSY);
         self.send_all();
         self.control.script.wait_received(0);
-        self.control.script.wait_idle();
+        self.control.script.wait_low(BUSY);
         self.control.script.interrupt(0);
         self.control.script.errors(DONE);
         for level in [1, 0] {
@@ -131,11 +143,38 @@ impl<'a> Host<'a> {
         self.control.script.write(INTERRUPT_ENABLE, 1);
     }
 
-    /// A frame with broken packets among the good ones, and with all that must not be done during a run.
+    /// Frames that follow each other in a run, each started and looked at anew while the one before is drawn.
+    pub fn run_ahead(&mut self) {
+        let first = self.now;
+        for pauses in [Pauses::None, Pauses::Some] {
+            self.control.script.pauses(pauses);
+            self.expect_all(&AHEAD);
+            self.control.script.place_buffer(BASES[first]);
+            let mut count = 0;
+            for (place, frame) in AHEAD.into_iter().enumerate() {
+                self.look(frame);
+                match place {
+                    0 => self.control.start(),
+                    _ => self.control.script.start_ahead(),
+                }
+                self.send_all();
+                count += self.count();
+                self.control.script.wait_low(WAITING);
+            }
+            self.control.script.wait_received(0);
+            self.control.finish(count);
+        }
+        self.look(first);
+    }
+
+    /// A frame with broken packets among the good ones, a start that waits for it, and all that must not be done then.
     pub fn run_disturbed(&mut self) {
         self.control.script.pauses(Pauses::Some);
-        self.expect();
+        self.expect_all(&[self.now; 2]);
+        self.control.script.place_buffer(BASES[self.now]);
         self.control.start();
+        self.control.script.wait_low(WAITING);
+        self.control.script.start_ahead();
         let end = self.count() - 1;
         for index in 0..end {
             self.send_broken(index);
@@ -146,10 +185,11 @@ impl<'a> Host<'a> {
         self.settle();
         refuse_while_busy(self.control.script, self.control.map);
         self.control.script.read(INTERRUPT_ENABLE, 1);
-        self.control.script.errors(BUSY);
+        self.control.script.errors(BUSY | WAITING);
         self.send(end);
+        self.send_all();
         self.control.script.wait_received(0);
-        self.control.finish(self.count());
+        self.control.finish(2 * self.count());
         clear(self.control.script);
         self.control.script.errors(DONE);
     }
