@@ -25,6 +25,7 @@ pub fn code(failure: &Failure) -> ExitCode {
         Failure::Generate(_) | Failure::Package(_) => TOOL,
         Failure::Scene(_)
         | Failure::Plan { .. }
+        | Failure::Budget { .. }
         | Failure::Excluded { .. }
         | Failure::Configuration(_)
         | Failure::Usage(_)

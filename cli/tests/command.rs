@@ -160,6 +160,29 @@ fn a_folder_that_cannot_be_written_is_named() {
 }
 
 #[test]
+fn plan_keeps_a_budget() {
+    let workplace = Workplace::new();
+    workplace.write("scene.toml", SCENE);
+    let plan = json(&workplace.succeeds(&["plan", "scene.toml", "--json", "--device", "85F"]));
+    let tried = plan["tried"].as_array().expect("a list");
+    let chosen = tried.last().expect("something was tried");
+    assert_eq!(chosen["shortages"], Value::Array(vec![]));
+    assert!(chosen["needs"]["lut4"].as_f64().is_some_and(|luts| luts < 83_640.0), "{chosen}");
+    assert_eq!(chosen["rasterizers"], plan["config"]["implementation"]["rasterizers"]);
+    assert!(tried.len() > 1, "eight rasterizers do not fit: {tried:?}");
+    let text = workplace.succeeds(&["plan", "scene.toml", "--device", "85F"]);
+    assert!(text.contains("chosen") && text.contains("too many look-up tables"), "{text}");
+    workplace.fails(
+        WRONG_INPUT,
+        &["gen", "scene.toml", "--luts", "5", "-o", "out"],
+        &["scene.toml", "fits 5 look-up tables", "allow more"],
+    );
+    workplace.fails(WRONG_INPUT, &["plan", "scene.toml", "--device", "85G"], &["85G", "LFE5U-85F"]);
+    workplace.write("config.toml", "kind = \"splat\"\n");
+    workplace.fails(WRONG_INPUT, &["gen", "config.toml", "--luts", "90000", "-o", "out"], &["--luts", "for scenes"]);
+}
+
+#[test]
 fn plan_explains_its_choices() {
     let workplace = Workplace::new();
     workplace.write(

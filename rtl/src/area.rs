@@ -5,6 +5,9 @@ use super::expression::Primitive;
 use super::memory::{Store, Style};
 use super::module::Source;
 
+/// Bits of each factor of a device's multiplier.
+const MULTIPLIER_BITS: u32 = 18;
+
 /// What one module holds, without its children.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Area {
@@ -14,6 +17,8 @@ pub struct Area {
     pub memory_bits: u64,
     /// Multipliers.
     pub multipliers: u64,
+    /// Multipliers of 18 by 18 bits that they are made of.
+    pub multiplier_blocks: u64,
     /// Bits of their products.
     pub multiplier_bits: u64,
     /// Bits of sums, differences and ordered comparisons.
@@ -74,6 +79,8 @@ impl Area {
             match node.operation {
                 Primitive::Multiply | Primitive::MultiplySigned => {
                     area.multipliers += 1;
+                    let blocks = |operand: usize| u64::from(graph.nodes[operand].width.div_ceil(MULTIPLIER_BITS));
+                    area.multiplier_blocks += blocks(node.operands[0]) * blocks(node.operands[1]);
                     area.multiplier_bits += u64::from(node.width);
                 }
                 Primitive::Add | Primitive::Subtract => area.adder_bits += u64::from(node.width),

@@ -1,6 +1,7 @@
 //! `pointcore gen SCENE|CONFIG -o DIR`.
 
-use super::{Failure, Output, load, scene_name, write};
+use super::budget::BudgetArguments;
+use super::{Failure, Output, scene_name, write};
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
 use pointcore::scene::Model;
@@ -23,6 +24,8 @@ pub struct Arguments {
     /// Also writes the core as one file a module, `modules/MODULE.v`, and the list of them, `modules/TOP.f`.
     #[arg(long)]
     split: bool,
+    #[command(flatten)]
+    budget: BudgetArguments,
     /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
@@ -31,19 +34,26 @@ pub struct Arguments {
 /// Tables of which every scene has one and no configuration has any.
 const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 
+/// The hardware for a scene.
+fn planned(arguments: &Arguments) -> Result<Configuration, Failure> {
+    let (_, plan, _) = arguments.budget.load(&arguments.source, &arguments.settings)?;
+    Ok(Configuration::Splat(plan.config))
+}
+
 /// Reads a configuration, from its own file or derived from a scene.
 fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
     let path = &arguments.source;
     if Model::is_model(path) {
-        return Ok(Configuration::Splat(load(path, &arguments.settings)?.1.config));
+        return planned(arguments);
     }
     let text = configuration::read_text(path)?;
     let table: toml::Table = toml::from_str(&text).map_err(|error| configuration::wrong(path, plain(&error)))?;
     if SCENE_TABLES.iter().any(|key| table.contains_key(*key)) {
-        return Ok(Configuration::Splat(load(path, &arguments.settings)?.1.config));
+        return planned(arguments);
     }
-    if !arguments.settings.is_empty() {
-        return Err(Failure::Usage("--set changes scenes; edit the configuration file instead".to_owned()));
+    if !arguments.settings.is_empty() || arguments.budget.is_limited() {
+        let message = "--set, --device and --luts choose hardware for scenes; edit the configuration file instead";
+        return Err(Failure::Usage(message.to_owned()));
     }
     Ok(configuration::parse(path, &text)?)
 }

@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod area;
 pub mod bench;
+pub mod budget;
 pub mod choices;
 pub mod diagram;
 pub mod generate;
@@ -32,6 +33,7 @@ pub use output::Output;
 use pointcore::area::estimate::Estimator;
 use pointcore::configuration::{self, Configuration, ConfigurationError};
 use pointcore::cost::CostError;
+use pointcore::cost::budget::BudgetError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
@@ -65,6 +67,14 @@ pub enum Failure {
         path: PathBuf,
         /// What is wrong with its overrides.
         source: Box<PlanError>,
+    },
+    /// A budget that holds no hardware for the scene.
+    #[error("{}: {source}", path.display())]
+    Budget {
+        /// The scene file.
+        path: PathBuf,
+        /// What there is too little of.
+        source: Box<BudgetError>,
     },
     /// A scene on the hardware of a configuration that excludes what it calls for.
     #[error("{} on {}: {source}", path.display(), config.display())]

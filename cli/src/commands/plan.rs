@@ -1,8 +1,10 @@
 //! `pointcore plan SCENE`.
 
+use super::budget::{BudgetArguments, tried};
 use super::{Failure, Output, load, scene_name};
 use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
+use pointcore::cost::budget::Candidate;
 use pointcore::cost::{Costs, Cycles, HardwareFigures, TABLE_HEAD, table_row};
 use pointcore::plan::Plan;
 use pointcore::scene::{Scene, SceneError};
@@ -25,8 +27,10 @@ pub struct Arguments {
     #[arg(long)]
     measure: bool,
     /// A table in Markdown instead, a line a scene: what each has, and which share of everything that saves; renders two frames a scene.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["device", "luts"])]
     table: bool,
+    #[command(flatten)]
+    budget: BudgetArguments,
     /// The record that look-up tables are estimated from.
     #[arg(long, value_name = "FILE", default_value = "docs/area.json")]
     record: PathBuf,
@@ -86,12 +90,18 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let [path] = &arguments.scenes[..] else {
         return Err(Failure::Usage("several scenes go with --table".to_owned()));
     };
-    let (scene, plan) = load(path, &arguments.settings)?;
-    let (text, document) = explain(arguments, path, &scene, &plan)?;
+    let (scene, plan, candidates) = arguments.budget.load(path, &arguments.settings)?;
+    let (text, document) = explain(arguments, path, &scene, &plan, &candidates)?;
     output.print(&document, &text)
 }
 
-fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Result<(String, Value), Failure> {
+fn explain(
+    arguments: &Arguments,
+    path: &Path,
+    scene: &Scene,
+    plan: &Plan,
+    candidates: &[Candidate],
+) -> Result<(String, Value), Failure> {
     let planned = SplatCore::generate(&plan.config)?;
     let full = SplatCore::generate(&plan.with_everything().config)?;
     let costs = if arguments.measure {
@@ -103,6 +113,9 @@ fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Re
     let mut text = format!("{}: {} splats\n\n", path.display(), scene.splats.len());
     for choice in &plan.choices {
         _ = writeln!(text, "  {:22} {:14} {}", choice.part, choice.chosen, choice.reason);
+    }
+    if !candidates.is_empty() {
+        text += &tried(candidates);
     }
     _ = write!(text, "\n{}", prices(&costs, arguments.measure));
     _ = writeln!(text, "\n  {:22} {:>12} {:>12} {:>8}", "area proxy", "this scene", "everything", "saved");
@@ -124,6 +137,7 @@ fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Re
         "splats": scene.splats.len(),
         "config": plan.config,
         "choices": plan.choices,
+        "tried": candidates,
         "effects": costs.effects,
         "planned": costs.planned,
         "everything": costs.everything,

@@ -10,6 +10,7 @@ pub fn total(design: &Design) -> Area {
         register_bits: sum.register_bits + module.instances * module.area.register_bits,
         memory_bits: sum.memory_bits + module.instances * module.area.memory_bits,
         multipliers: sum.multipliers + module.instances * module.area.multipliers,
+        multiplier_blocks: sum.multiplier_blocks + module.instances * module.area.multiplier_blocks,
         multiplier_bits: sum.multiplier_bits + module.instances * module.area.multiplier_bits,
         adder_bits: sum.adder_bits + module.instances * module.area.adder_bits,
         mux_bits: sum.mux_bits + module.instances * module.area.mux_bits,

@@ -98,20 +98,32 @@ pub struct Shortage {
     pub available: u64,
 }
 
+impl Device {
+    /// One that holds anything.
+    pub const UNLIMITED: Self = device("any device", "", [u64::MAX; 4]);
+}
+
+impl Shortage {
+    /// Whether it is of block RAM, which smaller memories take less of.
+    #[must_use]
+    pub fn is_of_block_ram(&self) -> bool {
+        self.of == BLOCK_RAMS
+    }
+}
+
 impl fmt::Display for Shortage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} of {}", self.needed, self.of, self.available)
     }
 }
 
+/// What memories take.
+const BLOCK_RAMS: &str = "block RAMs of 18 kbit";
 /// Widths of a block RAM's words, with as many words.
 const BLOCK_SHAPES: [(u32, u32); 6] = [(1, 16_384), (2, 8_192), (4, 4_096), (9, 2_048), (18, 1_024), (36, 512)];
 /// Memories of fewer bits, and with fewer words, lie in look-up tables.
 const BLOCK_BITS_LEAST: u64 = 2_048;
 const BLOCK_WORDS_LEAST: u32 = 64;
-/// Bits of a product that one multiplier forms, and multipliers of any larger one of the cores' formats.
-const PRODUCT_BITS: u64 = 36;
-const WIDE_MULTIPLIERS: u64 = 4;
 
 /// Block RAMs of a memory.
 fn block_rams(memory: &Storage) -> u64 {
@@ -123,19 +135,18 @@ fn block_rams(memory: &Storage) -> u64 {
 }
 
 impl Needs {
-    /// Counts what a design takes, before synthesis. Products of more than 36 bits are taken for four multipliers each, which is what
-    /// they take at most.
+    /// Counts what a design takes, before synthesis. A product takes as many multipliers as its factors have times 18 bits; synthesis
+    /// makes small ones of look-up tables.
     #[must_use]
     pub fn counted(design: &Design, lut4: Option<f64>) -> Self {
         let area = total(design);
         let blocks =
             |module: &rtl::ModuleSummary| module.instances * module.memories.iter().map(block_rams).sum::<u64>();
-        let wide = area.multiplier_bits > PRODUCT_BITS * area.multipliers;
         Self {
             lut4,
             flip_flops: area.register_bits,
             block_rams: design.modules().iter().map(blocks).sum(),
-            multipliers: area.multipliers * if wide { WIDE_MULTIPLIERS } else { 1 },
+            multipliers: area.multiplier_blocks,
             evidence: Evidence::Counted,
         }
     }
@@ -147,7 +158,7 @@ impl Needs {
         let all = [
             shortage("look-up tables", self.lut4.map_or(0, |lut4| lut4.round() as u64), device.luts),
             shortage("flip-flops", self.flip_flops, device.flip_flops),
-            shortage("block RAMs of 18 kbit", self.block_rams, device.block_rams),
+            shortage(BLOCK_RAMS, self.block_rams, device.block_rams),
             shortage("multipliers", self.multipliers, device.multipliers),
         ];
         all.into_iter().flatten().collect()

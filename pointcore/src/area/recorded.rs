@@ -190,7 +190,7 @@ mod tests {
         let counted = Needs::counted(&core.design, None);
         let small: super::super::device::Device = "12f".parse().expect("a device");
         let shortages = counted.shortages(&small);
-        assert!(shortages.iter().any(|shortage| shortage.of.starts_with("block RAMs")), "{shortages:?}");
+        assert!(shortages.iter().any(super::super::device::Shortage::is_of_block_ram), "{shortages:?}");
         let large = "LFE5U-85F".parse().expect("a device");
         assert_eq!(counted.shortages(&large), []);
         assert!("85G".parse::<super::super::device::Device>().unwrap_err().contains("XC7A35T"));

@@ -1,5 +1,6 @@
 //! What the effects of planned hardware cost, and what leaving the others out saves.
 
+pub mod budget;
 mod table;
 
 pub use table::{TABLE_HEAD, choices_row, table_row};

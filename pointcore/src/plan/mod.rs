@@ -10,16 +10,15 @@ mod effect;
 mod error;
 mod given;
 mod overrides;
+mod planner;
 
 pub use depth::DepthLoss;
 pub use effect::{Effect, EffectExtent};
 pub use error::PlanError;
+pub use planner::{Planner, Size, Work};
 
 use crate::scene::Scene;
-use attributes::{attributes, filter_conflict, material_conflict};
 use demand::Demand;
-use given::{Conflict, conflict};
-use overrides::overridden;
 use pointcore_contract::splat::config::{Config, Feature};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use pointcore_contract::{FragmentDepth, Sampling};
@@ -69,70 +68,10 @@ impl Plan {
     /// # Errors
     /// As [`Plan::of`].
     pub fn with_overrides(scene: &Scene, overrides: &toml::Table) -> Result<Self, PlanError> {
-        let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
-        let mut config = Config {
-            width: edge(scene.rendering.width),
-            height: edge(scene.rendering.height),
-            sampling: scene.rendering.sampling,
-            depth: scene.rendering.depth,
-            kernel_gamma: scene.rendering.kernel_gamma,
-            ..Config::default()
-        };
-        // What a splat asks for depends on the number format.
-        let asked = overridden(&config, overrides)?;
-        asked.validate()?;
-        if let Some((value, reason)) = filter_conflict(scene, asked.raster_format()) {
-            let alternative = " or choose another `splatting.filter_radius_px`";
-            return Err(PlanError::Conflict { key: "rasterizer", value, reason, alternative });
-        }
-        let demand = Demand::of(scene, &everything(scene, &asked));
-        let (attributes, constants) = attributes(scene);
-
-        config.culling = feature(demand.back_facing > 0);
-        config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
-        config.eye_plane = feature(demand.crossing > 0);
-        config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
-        config.cardinal = has_materials(scene).into();
-        // A splat has two copies or so. A lane has its share of all of them.
-        let levels = demand.copy_levels();
-        let lane_levels = |count: usize| (count.max(1).ilog2() + 1).saturating_sub(asked.rasterizer_bits());
-        config.heap_levels = levels.min(lane_levels(demand.copies)).max(2);
-        config.splat_levels = config.splat_levels.max(levels - 1).min(lane_levels(demand.drawn));
-        let [columns, rows] = demand.tiles();
-        config.tile_slots = config.tile_slots.min((columns * rows).max(2));
-        let interval = demand.load.interval(asked.rasterizers);
-        (config.transform_interval, config.setup_interval) = (interval, interval);
-        let mut choices = choices(scene, &config, &demand);
-
-        config = overridden(&config, overrides)?;
-        if let Some(value) = overrides.get("continuous").filter(|_| config.continuous < attributes.len() as u32) {
-            let differing = attributes.len();
-            let problem = format!(
-                "{differing} components of normal and color differ between splats: expected {differing} at least"
-            );
-            return Err(PlanError::Value { key: "continuous".to_owned(), value: value.clone(), problem });
-        }
-        if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &config, &demand) {
-            return Err(PlanError::Conflict { key: effect.key(), value, reason, alternative });
-        }
-        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
-            return Err(PlanError::Conflict {
-                key: "attribute",
-                value,
-                reason,
-                alternative: " or choose a wider format",
-            });
-        }
-        for (key, value) in overrides {
-            let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
-            choices.push(Choice { effect: None, part: "override", chosen, reason });
-        }
-        config.validate()?;
-        let image = [scene.rendering.width, scene.rendering.height];
-        Ok(Self { config, image, attributes, constants, choices, is_filtered: is_filtered(scene) })
+        let planner = Planner::new(scene, overrides)?;
+        planner.plan(planner.size())
     }
 }
-
 /// What was chosen and why, before overrides.
 fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
     let of = |effect: Effect, chosen: String, reason: String| Choice {

@@ -47,7 +47,7 @@ pub struct HardwareSize {
 }
 
 fn has_no_block_ram(shortages: &[Shortage]) -> bool {
-    shortages.iter().any(|shortage| shortage.of.starts_with("block RAM"))
+    shortages.iter().any(Shortage::is_of_block_ram)
 }
 
 impl HardwareSize {

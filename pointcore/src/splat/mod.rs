@@ -17,7 +17,7 @@ mod run;
 mod sequence;
 mod session;
 
-pub use bound::{FrameBound, copy_interval};
+pub use bound::{FrameBound, bounds, copy_interval};
 pub use differences::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, rounding_limit, sum_limit};
 pub use encode::{END, EncodedFrame};
 pub use fates::{Fates, copy_tiles};

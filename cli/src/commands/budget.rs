@@ -1,0 +1,68 @@
+//! What hardware for a scene may take.
+
+use super::{Failure, estimator, load, warn};
+use pointcore::area::device::{Device, Needs};
+use pointcore::cost::budget::{Budget, BudgetError, Budgeted, Candidate};
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Arguments of commands that choose hardware.
+#[derive(clap::Args)]
+pub struct BudgetArguments {
+    /// Chooses the fastest hardware for the scene that this device holds, as far as can be told before synthesis: rasterizers, cycles a
+    /// splat, copies that wait. What the scene's [overrides] say stays as it is.
+    #[arg(long, value_name = "DEVICE")]
+    device: Option<Device>,
+    /// Chooses the fastest hardware of so many look-up tables of four inputs, as they are estimated from what was synthesized.
+    #[arg(long, value_name = "COUNT")]
+    luts: Option<u64>,
+}
+
+impl BudgetArguments {
+    /// Whether there is a budget.
+    pub const fn is_limited(&self) -> bool {
+        self.device.is_some() || self.luts.is_some()
+    }
+
+    /// Loads a scene and derives its hardware; within a budget, tells what was tried, too.
+    pub fn load(&self, path: &Path, settings: &[String]) -> Result<(Scene, Plan, Vec<Candidate>), Failure> {
+        let Self { device, luts } = *self;
+        if !self.is_limited() {
+            return load(path, settings).map(|(scene, plan)| (scene, plan, vec![]));
+        }
+        let scene = Scene::load(path, settings)?;
+        let budgeted = Budgeted::of(&scene, Budget { luts, device }, &estimator()?);
+        let Budgeted { plan, tried } = budgeted.map_err(|error| match error {
+            BudgetError::Plan(source) => Failure::Plan { path: path.to_owned(), source: Box::new(source) },
+            BudgetError::Generate(error) => error.into(),
+            error @ BudgetError::TooSmall { .. } => Failure::Budget { path: path.to_owned(), source: Box::new(error) },
+        })?;
+        warn(path, &scene, &plan);
+        Ok((scene, plan, tried))
+    }
+}
+
+/// What was tried, a line each, the hardware that was chosen last.
+pub fn tried(candidates: &[Candidate]) -> String {
+    let heads =
+        ["rasterizers", "cycles/splat", "copies", "cycles, from", "LUT4", "flip-flops", "block RAMs", "multipliers"];
+    let [rasterizers, interval, copies, cycles, lut4, flip_flops, block_rams, multipliers] = heads;
+    let mut text = format!(
+        "\n  {rasterizers:>11} {interval:>12} {copies:>9} {cycles:>12} {lut4:>9} {flip_flops:>10} {block_rams:>10} {multipliers:>11}\n"
+    );
+    for Candidate { rasterizers, interval, copies, cycles, needs, shortages } in candidates {
+        let Needs { lut4, flip_flops, block_rams, multipliers, .. } = needs;
+        let lut4 = lut4.map_or_else(String::new, |lut4| format!("{lut4:.0}"));
+        let verdict = match &shortages[..] {
+            [] => "chosen".to_owned(),
+            _ => format!("too many {}", shortages.iter().map(|shortage| shortage.of).collect::<Vec<_>>().join(", ")),
+        };
+        _ = writeln!(
+            text,
+            "  {rasterizers:>11} {interval:>12} {copies:>9} {cycles:>12} {lut4:>9} {flip_flops:>10} {block_rams:>10} {multipliers:>11}  {verdict}"
+        );
+    }
+    text
+}

@@ -1,0 +1,145 @@
+//! From what a scene asks for to hardware of one size or another.
+
+use super::attributes::{attributes, filter_conflict, material_conflict};
+use super::demand::Demand;
+use super::given::{Conflict, conflict};
+use super::overrides::overridden;
+use super::{Choice, Plan, PlanError, choices, everything, feature, has_materials, is_filtered};
+use crate::scene::Scene;
+use pointcore_contract::splat::Config;
+use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
+
+/// The most cycles that a splat may take in transform and setup.
+const INTERVAL_MAX: u32 = 16;
+
+/// How large hardware is to be that renders the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Rasterizers.
+    pub rasterizers: u32,
+    /// By how many powers of two splats take longer in transform and setup than rasterizers need.
+    pub slower: u32,
+    /// Levels of copies and payloads that are missing from what hides the frame that leaves.
+    pub fewer_levels: u32,
+}
+
+/// What there is to do in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Work {
+    /// Splats.
+    pub splats: u64,
+    /// Copies of them, one a tile.
+    pub copies: u64,
+    /// Samples within their bounds.
+    pub samples: u64,
+}
+
+/// What a scene asks for, once; and the hardware of every size that gives it.
+pub struct Planner<'a> {
+    scene: &'a Scene,
+    overrides: &'a toml::Table,
+    /// The scene's image and formats, with the overrides in.
+    asked: Config,
+    /// The same without.
+    config: Config,
+    demand: Demand,
+    attributes: Vec<usize>,
+    constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
+}
+
+impl<'a> Planner<'a> {
+    /// Looks at all of a scene's splats.
+    ///
+    /// # Errors
+    /// As [`Plan::of`], of what does not depend on the size.
+    pub fn new(scene: &'a Scene, overrides: &'a toml::Table) -> Result<Self, PlanError> {
+        let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
+        let config = Config {
+            width: edge(scene.rendering.width),
+            height: edge(scene.rendering.height),
+            sampling: scene.rendering.sampling,
+            depth: scene.rendering.depth,
+            kernel_gamma: scene.rendering.kernel_gamma,
+            ..Config::default()
+        };
+        // What a splat asks for depends on the number format.
+        let asked = overridden(&config, overrides)?;
+        asked.validate()?;
+        if let Some((value, reason)) = filter_conflict(scene, asked.raster_format()) {
+            let alternative = " or choose another `splatting.filter_radius_px`";
+            return Err(PlanError::Conflict { key: "rasterizer", value, reason, alternative });
+        }
+        let demand = Demand::of(scene, &everything(scene, &asked));
+        let (attributes, constants) = attributes(scene);
+        Ok(Self { scene, overrides, asked, config, demand, attributes, constants })
+    }
+
+    /// The size without a budget.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        Size { rasterizers: self.asked.rasterizers, slower: 0, fewer_levels: 0 }
+    }
+
+    /// Whether the scene leaves a parameter of the hardware open.
+    #[must_use]
+    pub fn is_free(&self, key: &str) -> bool {
+        !self.overrides.contains_key(key)
+    }
+
+    /// What there is to do in a frame: of each the most, where there are several.
+    #[must_use]
+    pub const fn work(&self) -> Work {
+        let Demand { copies, load, .. } = self.demand;
+        Work { splats: load.splats as u64, copies: copies as u64, samples: load.samples as u64 }
+    }
+
+    /// The hardware of a size; overrides have the last word.
+    ///
+    /// # Errors
+    /// As [`Plan::of`].
+    pub fn plan(&self, size: Size) -> Result<Plan, PlanError> {
+        let Self { scene, overrides, ref demand, ref attributes, .. } = *self;
+        let mut config = Config { rasterizers: size.rasterizers, ..self.config.clone() };
+        config.culling = feature(demand.back_facing > 0);
+        config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
+        config.eye_plane = feature(demand.crossing > 0);
+        config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
+        config.cardinal = has_materials(scene).into();
+        // A splat has two copies or so. A lane has its share of all of them.
+        let levels = demand.copy_levels();
+        let lane_levels = |count: usize| (count.max(1).ilog2() + 1).saturating_sub(config.rasterizer_bits());
+        let fewer = |levels: u32| levels.saturating_sub(size.fewer_levels);
+        let [copies, splats] = [lane_levels(demand.copies), lane_levels(demand.drawn)];
+        config.splat_levels = fewer(config.splat_levels.max(levels - 1).min(splats));
+        config.heap_levels = fewer(levels.min(copies)).max(2);
+        let [columns, rows] = demand.tiles();
+        config.tile_slots = config.tile_slots.min((columns * rows).max(2));
+        let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
+        (config.transform_interval, config.setup_interval) = (interval, interval);
+        let mut choices = choices(scene, &config, demand);
+
+        config = overridden(&config, overrides)?;
+        if let Some(value) = overrides.get("continuous").filter(|_| config.continuous < attributes.len() as u32) {
+            let differing = attributes.len();
+            let problem = format!(
+                "{differing} components of normal and color differ between splats: expected {differing} at least"
+            );
+            return Err(PlanError::Value { key: "continuous".to_owned(), value: value.clone(), problem });
+        }
+        if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &config, demand) {
+            return Err(PlanError::Conflict { key: effect.key(), value, reason, alternative });
+        }
+        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
+            let alternative = " or choose a wider format";
+            return Err(PlanError::Conflict { key: "attribute", value, reason, alternative });
+        }
+        for (key, value) in overrides {
+            let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
+            choices.push(Choice { effect: None, part: "override", chosen, reason });
+        }
+        config.validate()?;
+        let image = [scene.rendering.width, scene.rendering.height];
+        let (attributes, constants) = (attributes.clone(), self.constants);
+        Ok(Plan { config, image, attributes, constants, choices, is_filtered: is_filtered(scene) })
+    }
+}
