@@ -3470,13 +3470,13 @@ module splat_tile_cache (
     reg [11:0] tile_1;
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg used_1, is_of_copy_1, frame_leaves, frame_is_given;
+    reg used_1, is_of_copy_1, next_idle, turn_is_new, frame_leaves, frame_is_given;
     reg [11:0] next_place;
     reg any_next_place;
     reg [11:0] looked_at;
     reg look_reads, look_is_shown, look_is_seen;
     reg [63:0] seen_mask;
-    reg seen_stays;
+    reg seen_stays, missed;
     wire [63:0] stored_mask;
     reg arrived;
     reg arrived_end;  // Closes the frame.
@@ -3535,26 +3535,21 @@ module splat_tile_cache (
     wire mask_is_kept = changed & goes;
     wire may_leave = |seen_mask & ~seen_stays;
     wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
-    wire sends_either = looking | |unchanged;
+    wire end_waits_either = looking | |unchanged;
+    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~(end_waits_either | missed) & ~mask_is_kept);
+    wire surface_xor_frame_is_given = surface ^ frame_is_given;
+    wire [12:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
     wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
     wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
-    wire seen_stays_either = sends_either | (changed | moving);
-    wire not_seen_stays_either = ~seen_stays_either;
-    wire vacate_either = (~next & ((in_flight_0 == 8'd0) & ~used_0)) | (next & ((in_flight_1 == 8'd0) & ~used_1));
-    wire start = head_waits_and_not_head_end & ~copy_hit & (not_seen_stays_either & vacate_either & wanted_is_empty);
-    wire end_waits = head_waits & head_end & not_seen_stays_either;
-    wire goes_either = (~next & resident_0) | (next & resident_1);
-    wire vacate = end_waits & (goes_either & vacate_either);
-    wire job_starts = start | vacate;
-    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~sends_either & ~job_starts & ~mask_is_kept);
-    wire surface_xor_frame_is_given = surface ^ frame_is_given;
-    wire [12:0] last_copy_address_bits = {surface_xor_frame_is_given, looked_at};
+    wire end_waits_either_2 = end_waits_either | (changed | moving);
+    wire not_end_waits_either_2 = ~end_waits_either_2;
+    wire misses = head_waits_and_not_head_end & ~copy_hit & (not_end_waits_either_2 & next_idle);
     wire copy_enters = arrived & ~arrived_end;
     wire head_takes = ~head_valid;
-    wire looked_up_both = head_takes & in_queue_out_valid;
+    wire look_is_read_both = head_takes & in_queue_out_valid;
     wire [11:0] in_queue_out_tile = in_queue_out_data[21:10];
     wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
     wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
@@ -3605,6 +3600,7 @@ module splat_tile_cache (
     wire [3:0] came_now = {1'd0, came} + 4'd1;
     wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
     wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire end_waits = head_waits & head_end & not_end_waits_either_2;
     wire any_resident = |{resident_0, resident_1};
     wire switches = end_waits & draws_what_leaves & ~any_resident;
     wire in_queue_out_end = in_queue_out_data[50];
@@ -3617,6 +3613,10 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[29:26];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[25:22];
     wire [9:0] in_queue_out_splat = in_queue_out_data[9:0];
+    wire start = misses & (wanted_is_empty & ~sends);
+    wire goes_either = (~next & resident_0) | (next & resident_1);
+    wire vacate = end_waits & (goes_either & next_idle);
+    wire job_starts = start | vacate;
     wire [1:0] still_unchanged = unchanged & sample_reads;
     wire change = |unchanged & (still_unchanged == 2'd0);
     wire fills_are_wanted = change & comes;
@@ -3704,6 +3704,7 @@ module splat_tile_cache (
     wire pixel_leaves = write_valid & write_ready;
     wire starts = job_starts;
     wire skips = (~next & used_0) | (next & used_1);
+    wire turns = starts | skips | (end_waits & ~(switches | (turn_is_new & goes_either)));
     wire start_and_not_next = start & ~next;
     wire starts_and_not_next = starts & ~next;
     wire done_and_comes = done & comes;
@@ -3715,13 +3716,16 @@ module splat_tile_cache (
     wire done_and_comes_and_slot = done_and_comes & slot;
     wire send_and_copy_slot = send & copy_slot;
     wire retire_valid_and_retire_slot = retire_valid & retire_slot;
+    wire next_idle_either = (in_flight_0 == 8'd0) | ((in_flight_0 == 8'd1) & in_flight_0_enable_both);
+    wire next_idle_either_2 = (in_flight_1 == 8'd0) | ((in_flight_1 == 8'd1) & retire_valid_and_retire_slot);
+    wire next_idle_either_3 = (~next & (next_idle_either & ~(send_and_not_copy_slot | used_0))) | (next & (next_idle_either_2 & ~(send_and_copy_slot | used_1)));
     wire frame_begins_to_leave = |whole_frames & ~frame_leaves;
     wire looks_at_next = looks & ~gone_tiles_out_valid & any_next_place;
     wire next_place_enable_either = frame_begins_to_leave | looks_at_next;
-    wire look_is_read = look_reads & ~(looked_up_both | job_starts);
+    wire look_is_read = look_reads & ~(look_is_read_both | (misses | vacate));
     wire [1:0] seen_stays_bits = {resident_0 & (tile_0 == looked_at), resident_1 & (tile_1 == looked_at)};
-    wire seen_stays_either_2 = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
-    wire seen_stays_either_3 = seen_stays_either_2 | (goes & seen_stays_either & (goes_tile == looked_at));
+    wire seen_stays_either = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
+    wire seen_stays_either_2 = seen_stays_either | (goes & end_waits_either_2 & (goes_tile == looked_at));
     wire frame_is_whole = arrived & arrived_end;
     wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
     wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
@@ -3757,9 +3761,9 @@ module splat_tile_cache (
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
         .clk(clk), .write(mask_is_kept | clearing | sends),
-        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : last_copy_address_bits),
+        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
-        .read(1'd1), .read_address(start ? {surface, head_tile} : last_copy_address_bits),
+        .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
         .read_data(stored_mask)
     );
 
@@ -3767,7 +3771,8 @@ module splat_tile_cache (
         .clk(clk), .write(clearing | (copy_enters | forgets)),
         .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
         .write_data({copy_enters & ~clearing, arrived_splat}),
-        .read(1'd1), .read_address(looked_up_both ? {surface, in_queue_out_tile} : last_copy_address_bits),
+        .read(1'd1),
+        .read_address(look_is_read_both ? {surface, in_queue_out_tile} : stored_masks_address_bits),
         .read_data(last_copy)
     );
 
@@ -3855,12 +3860,15 @@ module splat_tile_cache (
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
             used_1 <= 1'd0;
+            next_idle <= 1'd0;
+            turn_is_new <= 1'd1;
             frame_leaves <= 1'd0;
             frame_is_given <= 1'd0;
             any_next_place <= 1'd0;
             look_reads <= 1'd0;
             look_is_shown <= 1'd0;
             look_is_seen <= 1'd0;
+            missed <= 1'd0;
             arrived <= 1'd0;
             arriving_surface <= 1'd0;
             whole_frames <= 2'd0;
@@ -3883,13 +3891,16 @@ module splat_tile_cache (
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
             used_0 <= send_and_not_copy_slot | (used_0 & next);
             used_1 <= send_and_copy_slot | (used_1 & ~next);
+            next_idle <= next_idle_either_3 & ~turns;
+            turn_is_new <= turns;
             look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
             look_is_shown <= look_is_read;
             look_is_seen <= look_is_shown | (look_is_seen & ~looks);
+            missed <= misses;
             arrived <= arrives_valid;
             arriving_surface <= arriving_surface ^ frame_is_whole;
             whole_frames <= (whole_frames + {1'd0, frame_is_whole}) - {1'd0, switches};
-            looked_up <= looked_up_both & ~in_queue_out_end;
+            looked_up <= look_is_read_both & ~in_queue_out_end;
             compared <= looked_up;
             forgets <= last_reached | forgets_both;
             if (clearing) cleared <= cleared + 13'd1;
@@ -3902,7 +3913,7 @@ module splat_tile_cache (
             if (mask_is_kept | leaving_row_ends) begin
                 leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
             end
-            if (starts | skips | (end_waits & ~switches)) next <= next ? 1'd0 : (next + 1'd1);
+            if (turns) next <= next ? 1'd0 : (next + 1'd1);
             if (starts_and_not_next) resident_0 <= start_and_not_next;
             if (done_and_comes_and_not_slot | starts_and_not_next) begin
                 ready_0 <= done_and_comes_and_not_slot;
@@ -3958,7 +3969,7 @@ module splat_tile_cache (
         arrived_splat <= arrives_splat;
         found_valid <= last_copy[10];
         found_splat <= last_copy[9:0];
-        overtaken <= looked_up_both ? overtaken_both : overtaken_or_overtaken_both_2;
+        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (start_and_next) tile_1 <= head_tile;
         if (next_place_enable_either) begin
             next_place <= frame_begins_to_leave ? 12'd0 : (next_place + 12'd1);
@@ -3966,7 +3977,7 @@ module splat_tile_cache (
         if (looks) looked_at <= gone_tiles_out_valid ? gone_tiles_out_data : next_place;
         if (look_is_shown) begin
             seen_mask <= stored_mask;
-            seen_stays <= last_copy[10] | (seen_stays_either_3 & ~frame_is_given);
+            seen_stays <= last_copy[10] | (seen_stays_either_2 & ~frame_is_given);
         end
         if (last_reached) forgotten <= {surface, head_tile};
         if (fill_pixel_enable_both) begin

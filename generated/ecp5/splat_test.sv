@@ -9,7 +9,7 @@
 module splat_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:76031];
+    reg [63:0] words [0:76032];
     reg [1437:0] vector = 0;
     reg [1437:0] next = 0;
     wire [1437:0] found;

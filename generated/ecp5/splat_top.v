@@ -4999,13 +4999,13 @@ module splat_tile_cache (
     reg [11:0] tile_7;
     reg resident_7, ready_7;
     reg [7:0] in_flight_7;
-    reg used_7, is_of_copy_7, frame_leaves, frame_is_given;
+    reg used_7, is_of_copy_7, next_idle, turn_is_new, frame_leaves, frame_is_given;
     reg [11:0] next_place;
     reg any_next_place;
     reg [11:0] looked_at;
     reg look_reads, look_is_shown, look_is_seen;
     reg [63:0] seen_mask;
-    reg seen_stays;
+    reg seen_stays, missed;
     wire [63:0] stored_mask;
     reg arrived;
     reg arrived_end;  // Closes the frame.
@@ -5064,7 +5064,10 @@ module splat_tile_cache (
     wire mask_is_kept = changed & goes;
     wire may_leave = |seen_mask & ~seen_stays;
     wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
-    wire sends_either = looking | |unchanged;
+    wire end_waits_either = looking | |unchanged;
+    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~(end_waits_either | missed) & ~mask_is_kept);
+    wire surface_xor_frame_is_given = surface ^ frame_is_given;
+    wire [12:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
     wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
@@ -5081,36 +5084,12 @@ module splat_tile_cache (
         resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
     };
     wire copy_hit = |copy_hit_bits;
-    wire seen_stays_either = sends_either | (changed | moving);
-    wire not_seen_stays_either = ~seen_stays_either;
-    wire next_is_0 = next == 3'd0;
-    wire next_is_1 = next == 3'd1;
-    wire vacate_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
-    wire next_is_2 = next == 3'd2;
-    wire next_is_3 = next == 3'd3;
-    wire vacate_either_2 = vacate_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
-    wire next_is_4 = next == 3'd4;
-    wire vacate_either_3 = vacate_either_2 | (next_is_4 & ((in_flight_4 == 8'd0) & ~used_4));
-    wire next_is_5 = next == 3'd5;
-    wire vacate_either_4 = vacate_either_3 | (next_is_5 & ((in_flight_5 == 8'd0) & ~used_5));
-    wire next_is_6 = next == 3'd6;
-    wire vacate_either_5 = vacate_either_4 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6));
-    wire next_is_7 = next == 3'd7;
-    wire vacate_either_6 = vacate_either_5 | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
-    wire start = head_waits_and_not_head_end & ~copy_hit & (not_seen_stays_either & vacate_either_6 & wanted_is_empty);
-    wire end_waits = head_waits & head_end & not_seen_stays_either;
-    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
-    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
-    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
-    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
-    wire vacate = end_waits & (goes_either_4 & vacate_either_6);
-    wire job_starts = start | vacate;
-    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~sends_either & ~job_starts & ~mask_is_kept);
-    wire surface_xor_frame_is_given = surface ^ frame_is_given;
-    wire [12:0] last_copy_address_bits = {surface_xor_frame_is_given, looked_at};
+    wire end_waits_either_2 = end_waits_either | (changed | moving);
+    wire not_end_waits_either_2 = ~end_waits_either_2;
+    wire misses = head_waits_and_not_head_end & ~copy_hit & (not_end_waits_either_2 & next_idle);
     wire copy_enters = arrived & ~arrived_end;
     wire head_takes = ~head_valid;
-    wire looked_up_both = head_takes & in_queue_out_valid;
+    wire look_is_read_both = head_takes & in_queue_out_valid;
     wire [11:0] in_queue_out_tile = in_queue_out_data[20:9];
     wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
     wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
@@ -5168,6 +5147,7 @@ module splat_tile_cache (
     wire [3:0] came_now = {1'd0, came} + 4'd1;
     wire [3:0] asked_runs_out_count = asked_runs_out_data[3:0];
     wire run_ends = beat & (came_now == asked_runs_out_count);
+    wire end_waits = head_waits & head_end & not_end_waits_either_2;
     wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
     wire any_resident = |any_resident_bits;
     wire switches = end_waits & draws_what_leaves & ~any_resident;
@@ -5181,6 +5161,21 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[28:25];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[24:21];
     wire [8:0] in_queue_out_splat = in_queue_out_data[8:0];
+    wire start = misses & (wanted_is_empty & ~sends);
+    wire next_is_0 = next == 3'd0;
+    wire next_is_1 = next == 3'd1;
+    wire next_is_2 = next == 3'd2;
+    wire goes_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire next_is_3 = next == 3'd3;
+    wire next_is_4 = next == 3'd4;
+    wire goes_either_2 = goes_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
+    wire next_is_5 = next == 3'd5;
+    wire next_is_6 = next == 3'd6;
+    wire goes_either_3 = goes_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
+    wire next_is_7 = next == 3'd7;
+    wire goes_either_4 = goes_either_3 | (next_is_7 & resident_7);
+    wire vacate = end_waits & (goes_either_4 & next_idle);
+    wire job_starts = start | vacate;
     wire [1:0] still_unchanged = unchanged & sample_reads;
     wire change = |unchanged & (still_unchanged == 2'd0);
     wire [11:0] goes_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
@@ -5273,6 +5268,7 @@ module splat_tile_cache (
     wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
     wire skips_either_2 = skips_either | (next_is_3 & used_3) | (next_is_4 & used_4) | (next_is_5 & used_5);
     wire skips = skips_either_2 | (next_is_6 & used_6) | (next_is_7 & used_7);
+    wire turns = starts | skips | (end_waits & ~(switches | (turn_is_new & goes_either_4)));
     wire start_and_next_is_0 = start & next_is_0;
     wire starts_and_next_is_0 = starts & next_is_0;
     wire done_and_comes = done & comes;
@@ -5314,18 +5310,33 @@ module splat_tile_cache (
     wire ready_7_both = done_and_comes & (slot == 3'd7);
     wire in_flight_7_both = send & (copy_slot == 3'd7);
     wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
+    wire next_idle_either = (in_flight_0 == 8'd0) | ((in_flight_0 == 8'd1) & in_flight_0_enable_both);
+    wire next_idle_either_2 = (in_flight_1 == 8'd0) | ((in_flight_1 == 8'd1) & in_flight_1_enable_both);
+    wire next_idle_either_3 = (next_is_0 & (next_idle_either & ~(in_flight_0_both | used_0))) | (next_is_1 & (next_idle_either_2 & ~(in_flight_1_both | used_1)));
+    wire next_idle_either_4 = (in_flight_2 == 8'd0) | ((in_flight_2 == 8'd1) & in_flight_2_enable_both);
+    wire next_idle_either_5 = next_idle_either_3 | (next_is_2 & (next_idle_either_4 & ~(in_flight_2_both | used_2)));
+    wire next_idle_either_6 = (in_flight_3 == 8'd0) | ((in_flight_3 == 8'd1) & in_flight_3_enable_both);
+    wire next_idle_either_7 = next_idle_either_5 | (next_is_3 & (next_idle_either_6 & ~(in_flight_3_both | used_3)));
+    wire next_idle_either_8 = (in_flight_4 == 8'd0) | ((in_flight_4 == 8'd1) & in_flight_4_enable_both);
+    wire next_idle_either_9 = next_idle_either_7 | (next_is_4 & (next_idle_either_8 & ~(in_flight_4_both | used_4)));
+    wire next_idle_either_10 = (in_flight_5 == 8'd0) | ((in_flight_5 == 8'd1) & in_flight_5_enable_both);
+    wire next_idle_either_11 = next_idle_either_9 | (next_is_5 & (next_idle_either_10 & ~(in_flight_5_both | used_5)));
+    wire next_idle_either_12 = (in_flight_6 == 8'd0) | ((in_flight_6 == 8'd1) & in_flight_6_enable_both);
+    wire next_idle_either_13 = next_idle_either_11 | (next_is_6 & (next_idle_either_12 & ~(in_flight_6_both | used_6)));
+    wire next_idle_either_14 = (in_flight_7 == 8'd0) | ((in_flight_7 == 8'd1) & in_flight_7_enable_both);
+    wire next_idle_either_15 = next_idle_either_13 | (next_is_7 & (next_idle_either_14 & ~(in_flight_7_both | used_7)));
     wire frame_begins_to_leave = |whole_frames & ~frame_leaves;
     wire looks_at_next = looks & ~gone_tiles_out_valid & any_next_place;
     wire next_place_enable_either = frame_begins_to_leave | looks_at_next;
-    wire look_is_read = look_reads & ~(looked_up_both | job_starts);
+    wire look_is_read = look_reads & ~(look_is_read_both | (misses | vacate));
     wire [7:0] seen_stays_bits = {
         resident_0 & (tile_0 == looked_at), resident_1 & (tile_1 == looked_at),
         resident_2 & (tile_2 == looked_at), resident_3 & (tile_3 == looked_at),
         resident_4 & (tile_4 == looked_at), resident_5 & (tile_5 == looked_at),
         resident_6 & (tile_6 == looked_at), resident_7 & (tile_7 == looked_at)
     };
-    wire seen_stays_either_2 = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
-    wire seen_stays_either_3 = seen_stays_either_2 | (goes & seen_stays_either & (goes_tile == looked_at));
+    wire seen_stays_either = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
+    wire seen_stays_either_2 = seen_stays_either | (goes & end_waits_either_2 & (goes_tile == looked_at));
     wire frame_is_whole = arrived & arrived_end;
     wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
     wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
@@ -5365,9 +5376,9 @@ module splat_tile_cache (
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
         .clk(clk), .write(mask_is_kept | clearing | sends),
-        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : last_copy_address_bits),
+        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
-        .read(1'd1), .read_address(start ? {surface, head_tile} : last_copy_address_bits),
+        .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
         .read_data(stored_mask)
     );
 
@@ -5375,7 +5386,8 @@ module splat_tile_cache (
         .clk(clk), .write(clearing | (copy_enters | forgets)),
         .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
         .write_data({copy_enters & ~clearing, arrived_splat}),
-        .read(1'd1), .read_address(looked_up_both ? {surface, in_queue_out_tile} : last_copy_address_bits),
+        .read(1'd1),
+        .read_address(look_is_read_both ? {surface, in_queue_out_tile} : stored_masks_address_bits),
         .read_data(last_copy)
     );
 
@@ -5492,12 +5504,15 @@ module splat_tile_cache (
             ready_7 <= 1'd0;
             in_flight_7 <= 8'd0;
             used_7 <= 1'd0;
+            next_idle <= 1'd0;
+            turn_is_new <= 1'd1;
             frame_leaves <= 1'd0;
             frame_is_given <= 1'd0;
             any_next_place <= 1'd0;
             look_reads <= 1'd0;
             look_is_shown <= 1'd0;
             look_is_seen <= 1'd0;
+            missed <= 1'd0;
             arrived <= 1'd0;
             arriving_surface <= 1'd0;
             whole_frames <= 2'd0;
@@ -5526,13 +5541,16 @@ module splat_tile_cache (
             used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
             used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
             used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
+            next_idle <= next_idle_either_15 & ~turns;
+            turn_is_new <= turns;
             look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
             look_is_shown <= look_is_read;
             look_is_seen <= look_is_shown | (look_is_seen & ~looks);
+            missed <= misses;
             arrived <= arrives_valid;
             arriving_surface <= arriving_surface ^ frame_is_whole;
             whole_frames <= (whole_frames + {1'd0, frame_is_whole}) - {1'd0, switches};
-            looked_up <= looked_up_both & ~in_queue_out_end;
+            looked_up <= look_is_read_both & ~in_queue_out_end;
             compared <= looked_up;
             forgets <= last_reached | forgets_both;
             if (clearing) cleared <= cleared + 13'd1;
@@ -5545,9 +5563,7 @@ module splat_tile_cache (
             if (mask_is_kept | leaving_row_ends) begin
                 leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
             end
-            if (starts | skips | (end_waits & ~switches)) begin
-                next <= next_is_7 ? 3'd0 : (next + 3'd1);
-            end
+            if (turns) next <= next_is_7 ? 3'd0 : (next + 3'd1);
             if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
             if (ready_0_both | starts_and_next_is_0) ready_0 <= ready_0_both;
             if (in_flight_0_both ^ in_flight_0_enable_both) begin
@@ -5637,7 +5653,7 @@ module splat_tile_cache (
         arrived_splat <= arrives_splat;
         found_valid <= last_copy[9];
         found_splat <= last_copy[8:0];
-        overtaken <= looked_up_both ? overtaken_both : overtaken_or_overtaken_both_2;
+        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (start_and_next_is_1) tile_1 <= head_tile;
         if (start_and_next_is_2) tile_2 <= head_tile;
         if (start_and_next_is_3) tile_3 <= head_tile;
@@ -5651,7 +5667,7 @@ module splat_tile_cache (
         if (looks) looked_at <= gone_tiles_out_valid ? gone_tiles_out_data : next_place;
         if (look_is_shown) begin
             seen_mask <= stored_mask;
-            seen_stays <= last_copy[9] | (seen_stays_either_3 & ~frame_is_given);
+            seen_stays <= last_copy[9] | (seen_stays_either_2 & ~frame_is_given);
         end
         if (last_reached) forgotten <= {surface, head_tile};
         if (fill_pixel_enable_both) begin

@@ -17,6 +17,14 @@ pub struct Job {
     pub step: JobStep,
 }
 
+impl Job {
+    /// Whether it is about to ask for pixels, or writes the mask of the tile that goes.
+    pub fn has_mask(self) -> bool {
+        let asks = matches!(self.step, JobStep::Read | JobStep::Change);
+        asks || (self.step == JobStep::Changed && self.goes.is_some())
+    }
+}
+
 /// The steps of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JobStep {

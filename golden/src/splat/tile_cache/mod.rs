@@ -17,7 +17,7 @@ use super::parts::share::Share;
 use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
 use job::{Job, JobStep};
-use leaving::{Leaving, Look};
+use leaving::{Leaving, Seen};
 use pending::{Pending, SurfacePlace};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, SLOT_BANKS, SURFACES};
@@ -39,6 +39,17 @@ struct Entry {
     in_flight: u8,
 }
 
+/// What is known of the slot that is replaced next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Turn {
+    /// Its turn has just come: nothing.
+    New,
+    /// A copy is under way in it, or was placed in it since its last turn.
+    Busy,
+    /// It may be replaced.
+    Idle,
+}
+
 /// The tile cache.
 #[derive(Clone, Debug)]
 pub struct TileCache {
@@ -49,12 +60,15 @@ pub struct TileCache {
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
+    turn: Turn,
     /// By surface and a tile's place among those of the rasterizer: a bit for each pixel that memory holds.
     stored: Vec<u64>,
     pending: Pending,
     /// The surface that is drawn.
     surface: bool,
     job: Option<Job>,
+    /// In the last cycle a copy waited for a job to begin, and a slot was free for it.
+    missed: bool,
     leaving: Leaving,
     traffic: Traffic,
     input: HalfBuffer<TileCopy>,
@@ -82,10 +96,12 @@ impl TileCache {
             cleared: 0,
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
+            turn: Turn::New,
             stored: vec![0; (SURFACES as usize) << config.place_bits()],
             pending: Pending::new(config),
             surface: false,
             job: None,
+            missed: false,
             leaving: Leaving::new(),
             traffic: Traffic::new(),
             input: HalfBuffer::default(),
@@ -155,8 +171,12 @@ impl TileCache {
         self.follow_turn();
     }
 
-    /// Passes the copy at the head on, if it can be; a miss starts a job instead, unless a turn was skipped, if pixels may be asked for.
-    fn place(&mut self, copy: TileCopy, skips: bool, may_want: bool) -> Option<PlacedCopy> {
+    fn head_misses(&self) -> bool {
+        self.head.is_some_and(|copy| !copy.end && self.slot_of(copy.tile).is_none())
+    }
+
+    /// Passes the copy at the head on, if it can be; a miss starts a job instead, if pixels may be asked for.
+    fn place(&mut self, copy: TileCopy, may_want: bool) -> Option<PlacedCopy> {
         if let Some(slot) = self.slot_of(copy.tile) {
             let entry = &mut self.slots[usize::from(slot)];
             let passes = self.out.in_ready() && entry.in_flight < IN_FLIGHT_MAX;
@@ -165,8 +185,7 @@ impl TileCache {
             let TileCopy { bounds, diagonals, tile, splat, .. } = copy;
             return passes.then_some(PlacedCopy { bounds, diagonals, tile, splat, slot });
         }
-        let is_idle = self.job.is_none() && self.slots[usize::from(self.next)].in_flight == 0;
-        if !skips && is_idle && may_want {
+        if self.job.is_none() && self.turn == Turn::Idle && may_want {
             self.start(Some(copy.tile));
         }
         None
@@ -184,13 +203,17 @@ impl TileCache {
             self.surface = !self.surface;
             return true;
         }
-        let Entry { resident, in_flight, .. } = self.slots[usize::from(self.next)];
-        if !skips && resident && in_flight == 0 {
-            self.start(None);
-        } else if !skips {
-            self.follow_turn();
+        match self.turn {
+            Turn::Idle if self.is_next_resident() => self.start(None),
+            Turn::New if self.is_next_resident() => {}
+            _ if skips => {}
+            _ => self.follow_turn(),
         }
         false
+    }
+
+    fn is_next_resident(&self) -> bool {
+        self.slots[usize::from(self.next)].resident
     }
 
     /// A cycle of the job; `is_over` says that no pixel was under way. Returns the place of a tile that was written back.
@@ -234,71 +257,6 @@ impl TileCache {
     }
 }
 
-/// What the frame that leaves sees of a cycle, as the registers were before it.
-struct Seen {
-    /// Memories of masks and of copies are read for others.
-    reads_taken: bool,
-    /// Masks are written for others.
-    writes_taken: bool,
-    /// A tile's pixels may be asked for.
-    may_want: bool,
-    /// All that were asked for have come.
-    all_left: bool,
-    /// The tile that is looked at is in a slot, or on its way.
-    is_held: bool,
-    /// The surface that is drawn.
-    drawn: bool,
-    /// All of the frame that leaves is.
-    is_given: bool,
-    /// The last copy for it has come.
-    is_whole: bool,
-}
-
-impl TileCache {
-    /// A cycle of the frame that leaves; returns what closes it.
-    fn leave(&mut self, seen: &Seen, inputs: &In) -> (bool, Option<FinishedPixel>) {
-        let places = self.places();
-        let waited = self.leaving.waits;
-        self.leaving.waits &= !inputs.frame_sent;
-        let Some(surface) = self.leaving.surface else {
-            if seen.is_whole && !waited {
-                self.leaving.begin(seen.drawn);
-            }
-            return (false, None);
-        };
-        let (mut pops, mut close) = (false, None);
-        match self.leaving.looked_at {
-            None if seen.is_given && self.leaving.is_over() && seen.all_left && self.pixel.in_ready() => {
-                self.leaving.close(!self.is_alone);
-                close = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
-            }
-            None => pops = self.leaving.look(places),
-            Some((place, Look::Read)) => {
-                if !seen.reads_taken {
-                    let at = SurfacePlace { surface, place };
-                    let mask = self.stored[at.word(places)];
-                    self.leaving.looked_at = Some((place, Look::Shown { mask, is_pending: self.pending.has(at) }));
-                }
-            }
-            Some((place, Look::Shown { mask, is_pending })) => {
-                let stays = is_pending || (seen.is_held && surface == seen.drawn);
-                self.leaving.looked_at = Some((place, Look::Seen { mask, may_leave: mask != 0 && !stays }));
-            }
-            Some((place, Look::Seen { mask, may_leave })) => {
-                if may_leave && seen.may_want && !seen.writes_taken {
-                    let tile = self.share.tile(inputs.number.into(), place);
-                    self.traffic.want(surface, tile, mask, true);
-                    self.stored[SurfacePlace { surface, place }.word(places)] = 0;
-                    pops = self.leaving.look(places);
-                } else if !may_leave {
-                    pops = self.leaving.look(places);
-                }
-            }
-        }
-        (pops, close)
-    }
-}
-
 impl Model for TileCache {
     type Config = Config;
     type In = In;
@@ -328,8 +286,7 @@ impl Model for TileCache {
         let arriving = self.input.out().copied().filter(|_| self.head.is_none());
         let mut seen = Seen {
             reads_taken: arriving.is_some(),
-            writes_taken: job.is_some_and(|job| job.step == JobStep::Changed && job.goes.is_some()),
-            may_want: may_want && !job.is_some_and(|job| matches!(job.step, JobStep::Read | JobStep::Change)),
+            sends: self.leaving.may_send() && may_want && !self.missed && !job.is_some_and(Job::has_mask),
             all_left: self.traffic.all_left(),
             is_held: self.leaving.looked_at.is_some_and(|(place, _)| self.is_held(place)),
             drawn: self.surface,
@@ -342,6 +299,8 @@ impl Model for TileCache {
         let sent = sent.filter(|placed| placed.value.weight != 0).map(|placed| FinishedPixel { end: false, placed });
 
         let (mut passed, mut switches) = (None, false);
+        let next = self.next;
+        let misses = self.is_clear() && self.turn == Turn::Idle && job.is_none() && self.head_misses();
         let skips = self.skip();
         if !self.is_clear() {
             self.stored[self.cleared] = 0;
@@ -351,12 +310,12 @@ impl Model for TileCache {
             if copy.end {
                 switches = self.switch(skips);
             } else {
-                passed = self.place(copy, skips, may_want);
+                passed = self.place(copy, may_want && !seen.sends);
             }
         }
         let starts = job.is_none() && self.job.is_some();
-        seen.reads_taken |= starts;
-        seen.may_want &= !starts;
+        seen.reads_taken |= starts || misses;
+        self.missed = misses;
         let (pops, close) = self.leave(&seen, inputs);
         let mut gone = None;
         if let Some(job) = job {
@@ -366,6 +325,11 @@ impl Model for TileCache {
         if let Some(Slot { slot }) = inputs.retire {
             self.slots[usize::from(slot)].in_flight -= 1;
         }
+        self.turn = match self.slots[usize::from(self.next)] {
+            _ if self.next != next => Turn::New,
+            Entry { in_flight: 0, used: false, .. } => Turn::Idle,
+            _ => Turn::Busy,
+        };
 
         self.pending.clock(inputs.arrives, arriving, seen.drawn, switches);
         let takes = self.head.is_none();

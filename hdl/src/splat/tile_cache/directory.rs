@@ -52,8 +52,10 @@ pub(super) struct Directory {
     pub next_resident: Expr,
     /// The slot to be allocated next was used since its last turn: another's turn comes.
     skips: Expr,
-    /// It was not, and no copy is under way in it.
-    pub next_idle: Expr,
+    /// It was not, and no copy is under way in it: told a cycle after its turn has come.
+    pub next_idle: Reg,
+    /// Its turn has just come.
+    pub is_new: Reg,
 }
 
 /// What changes the directory in a cycle.
@@ -104,14 +106,14 @@ impl Directory {
         let any_resident = m.wire("any_resident", cat(slots.iter().map(|slot| slot.resident)).any());
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
         let has_room = !pick(1, holds_copy.into_iter().zip(full));
-        let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero() & !slot.used).collect();
-        let next_idle = pick(1, slots.iter().map(|slot| slot.is_next).zip(idle));
         let of_next =
             |width, value: fn(&Slot) -> Expr| pick(width, slots.iter().map(|slot| (slot.is_next, value(slot))));
         let next_tile = of_next(tile_bits, |slot| *slot.tile);
         let next_resident = of_next(1, |slot| *slot.resident);
         let skips = m.wire("skips", of_next(1, |slot| *slot.used));
-        Self { slots, next, copy, has_room, any_resident, next_tile, next_resident, skips, next_idle }
+        let next_idle = m.reg_reset("next_idle", 1, 0);
+        let is_new = m.reg_reset("turn_is_new", 1, 1);
+        Self { slots, next, copy, has_room, any_resident, next_tile, next_resident, skips, next_idle, is_new }
     }
 
     /// Whether a slot holds a tile of which this is so.
@@ -134,7 +136,10 @@ impl Directory {
         let last = self.next.eq_lit(self.slots.len() as u128 - 1);
         let next = last.mux(lit(self.next.width(), 0), self.next.add_lit(1));
         let starts = m.wire("starts", changes.allocate | changes.vacate);
-        m.next_if(self.next, (starts | self.skips) | changes.pass, next);
+        let turns = m.wire("turns", (starts | self.skips) | changes.pass);
+        m.next_if(self.next, turns, next);
+        m.next(self.is_new, turns);
+        let mut idle = vec![];
         for (number, slot) in self.slots.iter().enumerate() {
             let is = |other: Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & slot.is_next;
@@ -151,7 +156,10 @@ impl Directory {
             m.next(slot.used, enters | (slot.used & !slot.is_next));
             let count = enters.mux(slot.in_flight.add_lit(1), slot.in_flight.sub_lit(1));
             m.next_if(slot.in_flight, enters ^ leaves, count);
+            let becomes_empty = slot.in_flight.is_zero() | (slot.in_flight.eq_lit(1) & leaves);
+            idle.push((slot.is_next, becomes_empty & !(enters | slot.used)));
             m.assert(&format!("slot_{number}_retires_what_entered"), !leaves | slot.in_flight.any());
         }
+        m.next(self.next_idle, pick(1, idle.into_iter()) & !turns);
     }
 }

@@ -23,13 +23,17 @@ use directory::{Changes, Directory, Lookup};
 use leaving::{Gone, Leaving, Surroundings};
 use moves::{Begins, exchange};
 use pending::{Lookups, Pending};
-use rtl::{Expr, Module, Wire, cat};
+use rtl::{Expr, Module, Reg, cat};
 use state::State;
 
 /// What happens to the copy at the head.
 struct Placement {
     /// It is passed on.
     send: Expr,
+    /// Its tile is in no slot, and the next one is free for it.
+    misses: Expr,
+    /// So it was in the last cycle.
+    missed: Reg,
     /// A job brings its tile.
     start: Expr,
     /// It is the end: a slot that loses its tile without getting another starts to be written back.
@@ -49,14 +53,17 @@ fn place_copy(
     directory: &Directory,
     head: &Head<TileCopy<Wires>>,
     out: QueueOut<PlacedCopy>,
-    frame_leaves: Expr,
+    (frame_leaves, sends): (Expr, Expr),
 ) -> Placement {
     let ready = m.wire("head_waits", head.valid & !state.clearing);
     let end = head.record.end;
     let copy = ready & !end;
     let send = m.wire("send", copy & (directory.copy.found & (out.room & directory.has_room)));
-    let may_start = state.no_job() & directory.next_idle;
-    let start = m.wire("start", (copy & !directory.copy.found) & (may_start & state.wanted.is_empty));
+    let misses = m.wire("misses", (copy & !directory.copy.found) & (state.no_job() & directory.next_idle));
+    let missed = m.reg_reset("missed", 1, 0);
+    m.next(missed, misses);
+    // A tile that leaves goes first only in the first cycle of a miss.
+    let start = m.wire("start", misses & (state.wanted.is_empty & !sends));
 
     let waits = m.wire("end_waits", (ready & end) & state.no_job());
     let switch = m.wire("switches", (waits & frame_leaves) & !directory.any_resident);
@@ -65,7 +72,9 @@ fn place_copy(
     head.leaves_at_half_rate(m, send | switch);
     let TileCopy { bounds, diagonals, tile, splat, .. } = head.record;
     out.push(m, config, send, PlacedCopy { bounds, diagonals, tile, splat, slot: directory.copy.slot });
-    Placement { send, start, vacate, pass: waits & !switch, switch }
+    // A slot that holds a tile is looked at for two cycles.
+    let looks = directory.is_new & directory.next_resident;
+    Placement { send, misses, missed, start, vacate, pass: waits & !(switch | looks), switch }
 }
 
 /// Cycles in which something of the job begins or ends.
@@ -103,29 +112,28 @@ fn follow_job(
     JobSteps { change, done }
 }
 
-/// The memory of masks: by surface and tile, which pixels the reconstruction buffer holds; `start` reads that of the `tile` that comes,
+/// The memory of masks: by surface and tile, which pixels the reconstruction buffer holds; `misses` reads that of the `tile` that comes,
 /// and `written` becomes that of the one that goes.
 fn stored_masks(
     m: &mut Module,
     config: &Config,
     state: &State,
     leaving: &Leaving,
-    (start, tile): (Expr, Expr),
-    written: Expr,
+    (misses, tile): (Expr, Expr),
+    (written, sends): (Expr, Expr),
 ) -> StoredMasks {
     let words = 1 << (SURFACE_BITS + config.place_bits());
     let word = |tile: Expr| cat([state.surface.expr(), share::place(config, tile)]);
     let looked_at = cat([leaving.surface(state), *leaving.place]);
     let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS);
-    let shown = m.read(masks, "stored_mask", start.mux(word(tile), looked_at));
+    let shown = m.read(masks, "stored_mask", misses.mux(word(tile), looked_at));
     m.next_if(state.mask, state.looking, shown);
 
     let goes = m.wire("mask_is_kept", state.changed & state.goes);
-    let sends = m.forward("mask_is_sent", 1);
     let kept = goes.repeat(TILE_PIXELS) & written;
     let address = state.clearing.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
     m.write(masks, (goes | state.clearing) | sends, address, kept);
-    StoredMasks { shown, goes, sends, looked_at }
+    StoredMasks { shown, goes, looked_at }
 }
 
 /// What passes between the memory of masks and the frame that leaves.
@@ -133,8 +141,6 @@ struct StoredMasks {
     shown: Expr,
     /// A mask is written for a slot.
     goes: Expr,
-    /// That of the tile that is looked at becomes empty.
-    sends: Wire,
     /// The word of that tile.
     looked_at: Expr,
 }
@@ -182,9 +188,12 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     clear(&mut m, &state);
 
     let draws_what_leaves = m.wire("draws_what_leaves", leaving.leaves & !leaving.given);
-    let placement = place_copy(&mut m, config, &state, &directory, &head, out, draws_what_leaves);
+    // The mask of the tile that is looked at becomes empty.
+    let sends = m.forward("mask_is_sent", 1);
+    let placement = place_copy(&mut m, config, &state, &directory, &head, out, (draws_what_leaves, sends.expr()));
     let masks = PORTS.masks.declare(&mut m, config);
-    let stored = stored_masks(&mut m, config, &state, &leaving, (placement.start, tile), masks.written);
+    let stored =
+        stored_masks(&mut m, config, &state, &leaving, (placement.misses, tile), (masks.written, sends.expr()));
     let lookups = Lookups {
         surface: *state.surface,
         clearing: *state.clearing,
@@ -210,17 +219,16 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let around = Surroundings {
         is_whole: pending.whole.any(),
         switches: placement.switch,
-        reads_taken: (head.takes & head.arrives) | (placement.start | placement.vacate),
+        reads_taken: (head.takes & head.arrives) | (placement.misses | placement.vacate),
         writes_taken: stored.goes,
         mask: stored.shown,
         is_pending: pending.is_shown,
         is_held: (directory.holds(is_place) | head_holds) | (goes & is_place(goes_tile)),
-        may_want: (state.wanted.is_empty & !(state.looking | state.unchanged.any()))
-            & !(placement.start | placement.vacate),
+        may_want: state.wanted.is_empty & !((state.looking | state.unchanged.any()) | placement.missed),
         all_left: state.all_left() & pixel.room,
     };
     let leaves = leaving.update(&mut m, config, &around, &waiting);
-    m.drive(stored.sends, leaves.sends);
+    m.drive(sends, leaves.sends);
 
     let fills = m.wire("fills_are_wanted", steps.change & state.comes);
     let begins = m.wire("begins", leaves.sends | fills);
