@@ -14,6 +14,7 @@ pub mod bus;
 pub mod color;
 pub mod configuration;
 pub mod cost;
+pub mod exposure;
 pub mod generated;
 pub mod inspect;
 pub mod memory;

@@ -7,15 +7,16 @@ use crate::color::{linear_from_srgb, srgb_from_linear};
 use crate::picture::Picture;
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
-use pointcore_contract::Sampling;
 use pointcore_contract::surface::{COLOR, NORMAL};
+use pointcore_contract::{Camera, Sampling};
+use pointcore_golden::reference::motion::Exposure;
 use pointcore_golden::reference::{Fragment, Frame, sampling};
 use rayon::prelude::*;
 
 /// Shades a frame of `scene`, from the reference or read back from hardware.
 #[must_use]
 pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
-    let view = View::of(scene);
+    let view = View::new(&scene.camera, scene);
     let pixel = |(index, fragment): (usize, &Option<Fragment>)| {
         let linear = match fragment {
             Some(fragment) => {
@@ -29,6 +30,24 @@ pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
     };
     let pixels = frame.pixels.par_iter().enumerate().map(pixel).collect();
     Picture { width: frame.width, height: frame.height, pixels }
+}
+
+/// Colors of fragments of `scene`, seen by a camera.
+pub(crate) fn colors<'a>(
+    scene: &'a Scene,
+    camera: &Camera,
+) -> impl Fn(&Fragment, [f64; 2]) -> [f64; 3] + Sync + use<'a> {
+    let view = View::new(camera, scene);
+    move |fragment, [x, y]| view.shade(fragment, scene, x, y)
+}
+
+/// The picture of an exposure of `scene`, whose pixels may have several samples.
+#[must_use]
+pub fn exposed(exposure: &Exposure, scene: &Scene) -> Picture {
+    let pixels =
+        exposure.samples.par_iter().map(|sample| sample.over(scene.background).map(srgb_from_linear)).collect();
+    let samples = Picture { width: exposure.width, height: exposure.height, pixels };
+    resolve(samples, scene.rendering.sampling, scene.samples)
 }
 
 /// The picture whose samples are another's pixels: `edge` × `edge` of them in a pixel, or those on its four sides. Means are those of linear light.
@@ -73,15 +92,17 @@ pub fn picture(frame: &Frame, scene: &Scene) -> Picture {
 
 /// What all pixels of a picture share.
 struct View {
+    camera: Camera,
     world_from_camera: DMat3,
     to_light: DVec3,
 }
 
 impl View {
-    fn of(scene: &Scene) -> Self {
+    fn new(camera: &Camera, scene: &Scene) -> Self {
         // A rotation's inverse is its transpose: the rows of the model-view matrix are the axes in world space.
-        let axes = scene.camera.model_view.map(|row| DVec3::from_slice(&row));
+        let axes = camera.model_view.map(|row| DVec3::from_slice(&row));
         Self {
+            camera: *camera,
             world_from_camera: DMat3::from_cols(axes[0], axes[1], axes[2]),
             to_light: DVec3::from_array(scene.light.direction).normalize(),
         }
@@ -89,7 +110,7 @@ impl View {
 
     /// Linear color of a fragment seen at pixel position `(x, y)`.
     fn shade(&self, fragment: &Fragment, scene: &Scene, x: f64, y: f64) -> [f64; 3] {
-        let camera = &scene.camera;
+        let camera = &self.camera;
         let ray = DVec3::new((x - camera.center_x) / camera.scale_x, (y - camera.center_y) / camera.scale_y, 1.0);
         let to_eye = -(self.world_from_camera * ray).normalize();
         // Opposite normals may cancel; such a pixel shows its surface face on.
@@ -149,6 +170,7 @@ mod tests {
             sides: Vec::new(),
             views: Vec::new(),
             notes: Vec::new(),
+            motion: None,
         };
         let [x, y, z] = normal;
         let fragment = Fragment { depth: 0.5, weight: 1.0, attributes: [x, y, z, 1.0, 1.0, 1.0], material };

@@ -133,23 +133,31 @@ fn squared_distance_on_splat(projection: &Projection, x: f64, y: f64) -> f64 {
     }
 }
 
-fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
+/// The corners `[x, y]` of the rectangle around all that is seen of a splat and its filter, px; `None` where it reaches the eye plane and may be
+/// seen anywhere.
+pub(super) fn extent(projection: &Projection, filter_radius_px: f64) -> Option<[[f64; 2]; 2]> {
+    if projection.crosses_eye_plane() || projection.is_center_before_near() {
+        return None;
+    }
     let [alpha, beta] = projection.slant;
     let e = projection.eye_clearance();
-    let bounds = if projection.crosses_eye_plane() || projection.is_center_before_near() {
-        Bounds::viewport(rendering)
-    } else {
-        let filter = rendering.filter_radius_px.unwrap_or(0.0);
-        let extent = |center: f64, [a, b]: [f64; 2]| {
-            let middle = -(a * alpha + b * beta) / e;
-            let half = (middle * middle + (a * a + b * b) / e).sqrt();
-            let low = if projection.is_centered { (middle - half).min(-filter) } else { middle - half };
-            let high = if projection.is_centered { (middle + half).max(filter) } else { middle + half };
-            (center + low, center + high)
-        };
-        let (low_x, high_x) = extent(projection.center[0], projection.gradient_x);
-        let (low_y, high_y) = extent(projection.center[1], projection.gradient_y);
-        Bounds::of_samples([low_x, low_y], [high_x, high_y], rendering)?
+    let filter = filter_radius_px;
+    let along = |center: f64, [a, b]: [f64; 2]| {
+        let middle = -(a * alpha + b * beta) / e;
+        let half = (middle * middle + (a * a + b * b) / e).sqrt();
+        let low = if projection.is_centered { (middle - half).min(-filter) } else { middle - half };
+        let high = if projection.is_centered { (middle + half).max(filter) } else { middle + half };
+        (center + low, center + high)
+    };
+    let (low_x, high_x) = along(projection.center[0], projection.gradient_x);
+    let (low_y, high_y) = along(projection.center[1], projection.gradient_y);
+    Some([[low_x, low_y], [high_x, high_y]])
+}
+
+fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
+    let bounds = match extent(projection, rendering.filter_radius_px.unwrap_or(0.0)) {
+        Some([low, high]) => Bounds::of_samples(low, high, rendering)?,
+        None => Bounds::viewport(rendering),
     };
     Ok((bounds, Shape::Backward { projection: Box::new(*projection), filter_radius_px: rendering.filter_radius_px }))
 }

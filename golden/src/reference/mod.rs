@@ -5,6 +5,7 @@
 //! bands that run in parallel.
 
 mod footprint;
+pub mod motion;
 pub mod neighbors;
 pub mod operators;
 mod projection;

@@ -131,30 +131,40 @@ impl Plane {
     }
 }
 
+/// Center and tangents of a splat in camera space.
+pub(super) fn in_camera_space(splat: &Splat, camera: &Camera) -> (DVec3, [DVec3; 2]) {
+    let rotate = |v: DVec3| DVec3::from_array(camera.model_view.map(|row| DVec3::from_slice(&row).dot(v)));
+    let translation = DVec3::from_array(camera.model_view.map(|row| row[3]));
+    let tangents = splat.tangents.map(|tangent| rotate(DVec3::from_array(tangent.map(f64::from))));
+    (rotate(DVec3::from_array(splat.center.map(f64::from))) + translation, tangents)
+}
+
 impl Projection {
     /// Transforms a splat into camera space, culls it and sets it up.
     ///
     /// # Errors
     /// The splat faces away from the eye or lies outside the depth range.
     pub fn new(splat: &Splat, camera: &Camera) -> Result<Self, Culled> {
-        let rotate = |v: DVec3| DVec3::from_array(camera.model_view.map(|row| DVec3::from_slice(&row).dot(v)));
-        let translation = DVec3::from_array(camera.model_view.map(|row| row[3]));
-        let [a1, a2] = splat.tangents.map(|tangent| rotate(DVec3::from_array(tangent.map(f64::from))));
-        let u = rotate(DVec3::from_array(splat.center.map(f64::from))) + translation;
-
+        let (u, tangents) = in_camera_space(splat, camera);
+        let [a1, a2] = tangents;
         if u.dot(a1.cross(a2)) > 0.0 {
             return Err(Culled::BackFacing);
         }
-        let r = 1.0 / u.z;
-        let center_depth = camera.depth_a + camera.depth_b * r;
+        let projection = Self::set_up(u, tangents, camera);
         let reach = a1.z.hypot(a2.z);
-        let is_beyond_near = u.z > camera.near;
-        let is_centered = is_beyond_near && (0.0..=1.0).contains(&center_depth);
         let begins_behind_far = u.z > reach && camera.depth_a + camera.depth_b / (u.z - reach) > 1.0;
-        if u.z + reach <= camera.near || (begins_behind_far && !is_centered) {
+        if u.z + reach <= camera.near || (begins_behind_far && !projection.is_centered) {
             return Err(Culled::OutsideDepth);
         }
+        Ok(projection)
+    }
 
+    /// Sets up a splat of this center and these tangents in camera space, whatever side of it is seen and wherever it lies.
+    pub(super) fn set_up(u: DVec3, [a1, a2]: [DVec3; 2], camera: &Camera) -> Self {
+        let r = 1.0 / u.z;
+        let center_depth = camera.depth_a + camera.depth_b * r;
+        let is_beyond_near = u.z > camera.near;
+        let is_centered = is_beyond_near && (0.0..=1.0).contains(&center_depth);
         let (vx, vy) = (u.x * r, u.y * r);
         let (alpha, beta) = (a1.z * r, a2.z * r);
         let gradient =
@@ -177,7 +187,7 @@ impl Projection {
             volume: u.dot(a1.cross(a2)),
         };
         let depth_range = if beyond_near { [depth - half_depth, depth + half_depth] } else { [0.0, 1.0] };
-        Ok(Self {
+        Self {
             center: if is_beyond_near {
                 [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y]
             } else {
@@ -194,7 +204,7 @@ impl Projection {
             is_within: [beyond_near, before_far],
             is_centered,
             plane: (!is_beyond_near).then_some(plane),
-        })
+        }
     }
 
     /// Depth of the splat's plane where the viewing ray through `c + (x, y)` meets it, within the splat's range: `1/w = D/Δ` there, which is

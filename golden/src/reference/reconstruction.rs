@@ -76,6 +76,24 @@ impl Band {
         let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
         Self { depth, low: depth - epsilon, high: (depth + epsilon).max(0.0) }
     }
+
+    /// A band that reaches every depth: such samples are blended whatever lies where.
+    #[must_use]
+    pub const fn everywhere(depth: f64) -> Self {
+        Self { depth, low: f64::NEG_INFINITY, high: f64::INFINITY }
+    }
+
+    /// The sample's depth.
+    #[must_use]
+    pub const fn depth(&self) -> f64 {
+        self.depth
+    }
+
+    /// Whether a surface at a depth is nearer by more than ε.
+    #[must_use]
+    pub fn is_hidden_by(&self, stored: f64) -> bool {
+        stored < self.low
+    }
 }
 
 /// An accumulating pixel. It is empty iff its weight is zero, since every kernel weight is positive.
@@ -96,9 +114,10 @@ pub struct Pixel {
 }
 
 impl Pixel {
-    /// Adds a splat's sample of the given depth and kernel weight.
-    pub fn add(&mut self, splat: &Splat, band: Band, weight: f64) {
-        match self.test(band) {
+    /// Adds a splat's sample of the given depth and kernel weight; says how its test went.
+    pub fn add(&mut self, splat: &Splat, band: Band, weight: f64) -> Decision {
+        let decision = self.test(band);
+        match decision {
             Decision::Fail => self.decisions.fail += 1,
             Decision::Pass => {
                 *self = Self { decisions: self.decisions, margins: self.margins, ..Self::default() };
@@ -110,6 +129,7 @@ impl Pixel {
                 self.accumulate(splat, band.depth.clamp(0.0, 1.0), weight);
             }
         }
+        decision
     }
 
     /// Eq. 5.8; the stored depth is normalized first. Equality with a limit blends.

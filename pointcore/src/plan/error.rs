@@ -5,6 +5,12 @@ use pointcore_contract::splat::config::ConfigError;
 /// Hardware that does not fit a scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanError {
+    /// A scene that moves while the shutter is open.
+    #[error(
+        "the scene moves while the shutter is open (`[shutter]`), and no hardware draws motion blur: render it in f64 by `pointcore run SCENE --model \
+         reference`, or take `[shutter]` and all `motion` tables out for a still picture"
+    )]
+    Moving,
     /// A key of `[overrides]` that is no parameter of the hardware.
     #[error("`overrides.{key}` is unknown: expected one of {expected}")]
     Unknown {

@@ -58,7 +58,8 @@ impl Plan {
     /// Derives the hardware from the scene; its `[overrides]` have the last word.
     ///
     /// # Errors
-    /// Overrides that are no keys of the configuration, that the scene contradicts, or that the hardware cannot hold.
+    /// The scene moves while the shutter is open; overrides that are no keys of the configuration, that the scene contradicts, or that the hardware
+    /// cannot hold.
     pub fn of(scene: &Scene) -> Result<Self, PlanError> {
         Self::with_overrides(scene, &scene.overrides)
     }

@@ -53,6 +53,9 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// As [`Plan::of`], of what does not depend on the size.
     pub fn new(scene: &'a Scene, overrides: &'a toml::Table) -> Result<Self, PlanError> {
+        if scene.motion.is_some() {
+            return Err(PlanError::Moving);
+        }
         let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
         let config = Config {
             width: edge(scene.rendering.width),

@@ -3,11 +3,14 @@
 use super::camera::{self, Pose, Problem, within};
 use super::disc::{Disc, Placement, Sides};
 use super::file::{ImageTable, Light, LightDirection, LightTable, Material, SceneFile, SplattingTable};
+use super::motion::{self, Motion};
 use super::{Scene, View, fit, model, object};
 use crate::color::linear_from_srgb;
 use glam::DVec3;
 use pointcore_contract::splat::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
 use pointcore_contract::{Camera, Rendering, Sampling, Splat};
+use pointcore_golden::reference::motion::Method;
+use std::ops::Range;
 
 /// The share of a splat's radius by which surfaces may lie apart in depth and still blend. Neighboring splats of a
 /// curved surface that all face the eye have no depth range of their own (eq. 5.9), but do differ in depth.
@@ -40,6 +43,8 @@ pub(super) fn check(file: &SceneFile) -> Result<(), Fault> {
     camera::check(&file.camera, &file.image).map_err(fault)?;
     object::check_color(file.image.background).map_err(|problem| ("image.background".to_owned(), problem))?;
     check_light(&file.light).map_err(fault)?;
+    motion::check(file)?;
+    method(&file.splatting)?;
     for (index, material) in file.materials.iter().enumerate() {
         check_material(material).map_err(|(key, problem)| (format!("material.{index}.{key}"), problem))?;
     }
@@ -53,20 +58,46 @@ pub(super) fn check(file: &SceneFile) -> Result<(), Fault> {
     }
 }
 
-/// Makes the scene of checked tables and discs.
-pub(super) fn assemble(file: SceneFile, discs: &[Disc], notes: Vec<String>) -> Result<Scene, Fault> {
+/// How a moving scene settles what hides what: exactly, unless it says otherwise.
+fn method(splatting: &SplattingTable) -> Result<Method, Fault> {
+    let parsed = splatting.motion.as_deref().map_or(Ok(Method::Exact), str::parse);
+    parsed.map_err(|unknown| ("splatting.motion".to_owned(), unknown.to_string()))
+}
+
+/// Makes the scene of checked tables and discs, of which each object has a span.
+pub(super) fn assemble(
+    file: SceneFile,
+    mut discs: Vec<Disc>,
+    spans: &[Range<usize>],
+    notes: Vec<String>,
+) -> Result<Scene, Fault> {
     if discs.is_empty() {
         return Err(("object".to_owned(), "is empty: a scene needs at least one object".to_owned()));
     }
-    let placement = Placement::of(discs);
+    let mut motion = Motion::of(&file, spans, method(&file.splatting)?);
+    let mut camera_path = None;
+    if let Some(motion) = &mut motion {
+        motion.move_to_middle(&mut discs);
+        camera_path = motion.take_camera();
+    }
+    let placement = Placement::of(&discs);
     let splats: Vec<Splat> = discs.iter().map(|disc| placement.splat(disc)).collect();
+    // Where a camera looks for discs: a moving scene's lie along their ways.
+    let seen = |motion: &Option<Motion>| motion.as_ref().map(|motion| motion.of_all_instants(&discs));
+    let mut poses = poses(&file, seen(&motion).as_deref().unwrap_or(&discs));
+    if let (Some(motion), [pose]) = (&mut motion, &mut poses[..]) {
+        motion.give_camera(camera_path, pose.eye);
+        *pose = motion.pose(pose);
+    }
+    let seen = seen(&motion);
+    let seen = seen.as_deref().unwrap_or(&discs);
     let view = |pose: Pose| {
-        let depths = fit::depths(discs, &pose, [file.camera.near, file.camera.far])?;
+        let depths = fit::depths(seen, &pose, [file.camera.near, file.camera.far])?;
         let camera = camera::derive(&pose, depths, &file.image, &placement)?;
         let light = light(&file.light, &camera);
         Ok(View { camera, light, epsilon_bias: blending_depth(&splats, &camera) })
     };
-    let mut views = poses(&file, discs).into_iter().map(view).collect::<Result<Vec<_>, Problem>>().map_err(fault)?;
+    let mut views = poses.into_iter().map(view).collect::<Result<Vec<_>, Problem>>().map_err(fault)?;
     let rendering = rendering(&file.image, &file.splatting).map_err(fault)?;
     if let Some(bias) = file.splatting.epsilon_bias {
         views.iter_mut().for_each(|view| view.epsilon_bias = bias);
@@ -88,6 +119,7 @@ pub(super) fn assemble(file: SceneFile, discs: &[Disc], notes: Vec<String>) -> R
         sides,
         views,
         notes,
+        motion: motion.map(|motion| motion.placed(placement)),
     };
     let (samples, cutoff) = (file.image.samples, file.splatting.cutoff.unwrap_or(1.0));
     check_sampling(samples, &scene.rendering).map_err(|problem| ("image.sampling".to_owned(), problem))?;

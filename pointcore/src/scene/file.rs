@@ -1,6 +1,7 @@
 //! The scene file as it is written: TOML tables whose keys are all known.
 
 use super::model::NormalSource;
+use super::motion::{MotionTable, ShutterTable};
 use pointcore_contract::{FragmentDepth, Sampling};
 use serde::Deserialize;
 use std::path::PathBuf;
@@ -13,6 +14,8 @@ pub(super) struct SceneFile {
     pub image: ImageTable,
     #[serde(default)]
     pub light: LightTable,
+    /// When the shutter is open, of a scene that moves.
+    pub shutter: Option<ShutterTable>,
     #[serde(default)]
     pub splatting: SplattingTable,
     #[serde(default, rename = "material")]
@@ -45,6 +48,8 @@ pub(super) struct CameraTable {
     pub keyframes: Vec<Keyframe>,
     /// Frames of the path.
     pub frames: Option<usize>,
+    /// How it moves within a frame.
+    pub motion: Option<MotionTable>,
 }
 
 /// A place on a camera's path; what it leaves out is the camera's.
@@ -152,6 +157,8 @@ pub(super) struct SplattingTable {
     pub epsilon_bias: Option<f64>,
     /// Whether samples have their splat's depth, or that of its plane.
     pub depth: FragmentDepth,
+    /// How a moving scene settles what hides what.
+    pub motion: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -273,6 +280,8 @@ pub(super) struct ObjectTable {
     pub radius: Radius,
     #[serde(default = "one")]
     pub radius_scale: f64,
+    /// How it moves while the shutter is open.
+    pub motion: Option<MotionTable>,
 }
 
 fn one() -> f64 {

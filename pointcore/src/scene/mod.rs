@@ -11,6 +11,7 @@ mod error;
 mod file;
 mod fit;
 pub(crate) mod model;
+mod motion;
 pub mod neighbors;
 pub mod normals;
 mod object;
@@ -25,6 +26,7 @@ pub use disc::{Disc, Placement, Sides};
 pub use error::SceneError;
 pub use file::{Light, Material};
 pub use model::{InvalidPoints, Model, NormalOrigin, NormalSource, is_guarded};
+pub use motion::Motion;
 pub use shapes::trefoil;
 
 use file::SceneFile;
@@ -63,6 +65,8 @@ pub struct Scene {
     pub views: Vec<View>,
     /// What whoever draws it should know about its models.
     pub notes: Vec<String>,
+    /// What moves while the shutter is open; splats and camera are those of the middle of the exposure.
+    pub motion: Option<Motion>,
 }
 
 /// What differs from frame to frame of a sequence.
@@ -86,16 +90,18 @@ impl Scene {
         let file = SceneFile::load(path, settings)?;
         let value = |(key, problem): (String, String)| SceneError::Value { path: path.to_owned(), key, problem };
         assemble::check(&file).map_err(value)?;
-        let (mut discs, mut notes) = (Vec::new(), Vec::new());
+        let (mut discs, mut spans, mut notes) = (Vec::new(), Vec::new(), Vec::new());
         for (index, object) in file.objects.iter().enumerate() {
             let key = format!("object.{index}");
+            let first = discs.len();
             discs.extend(object::build(object, path, &key, &mut notes)?);
+            spans.push(first..discs.len());
             if discs.len() > SPLAT_LIMIT {
                 let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", discs.len());
                 return Err(value((key, problem)));
             }
         }
-        assemble::assemble(file, &discs, notes).map_err(value)
+        assemble::assemble(file, discs, &spans, notes).map_err(value)
     }
 
     /// A scene of discs in memory, seen by a camera around it unless the builder is told otherwise.

@@ -1,5 +1,6 @@
 //! `pointcore run SCENE|MODEL`.
 
+mod reference;
 mod results;
 
 use super::memory::BusArguments;
@@ -10,20 +11,20 @@ use super::{Failure, Output, generate, load_on, numbers, scene_name, waveform};
 use pointcore::package::Package;
 use pointcore::plan::Plan;
 use pointcore::scene::{FRAMES_LIMIT, Scene};
-use pointcore::shading;
 use pointcore::splat::memory::ReconstructionBuffer;
 use pointcore::splat::{Fates, RenderSession};
 use pointcore::waveform::splat_view;
-use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::verilated::Trace;
 use results::{FrameResults, Summary};
-use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// The waveform of a run.
 const WAVEFORM: &str = "frame.fst";
 /// What not every run leaves behind.
 const OPTIONAL: [&str; 6] = [WAVEFORM, "frame.gtkw", "animation.png", "frames", "depth.pfm", "normals.pfm"];
+
+/// Frames beyond which the mean of more is the same.
+const SAMPLES_IN_TIME_LIMIT: usize = 65536;
 
 /// What renders the scene.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -57,6 +58,9 @@ pub struct Arguments {
     /// Render a full turn around the scene in N frames, each on the hardware: frames/ and animation.png; as `--set camera.turntable=N`.
     #[arg(long, value_name = "N", value_parser = numbers::within(1..=FRAMES_LIMIT, "1 to 2000 frames"))]
     turntable: Option<usize>,
+    /// With --model reference, render a scene that moves as the mean of N still frames: the truth that motion blur approximates, where N is large.
+    #[arg(long, value_name = "N", value_parser = numbers::within(1..=SAMPLES_IN_TIME_LIMIT, "1 to 65536 samples in time"))]
+    samples_in_time: Option<usize>,
     /// Write the fragments' distance from the eye, too, in the scene's units: depth.pfm, infinite where there is none.
     #[arg(long)]
     depth: bool,
@@ -84,6 +88,9 @@ impl Arguments {
             let message = "--depth, --normals, --turntable, --stalls, --latency, --bandwidth and --burst go with --model rtl or golden";
             return Err(Failure::Usage(message.to_owned()));
         }
+        if self.samples_in_time.is_some() && self.model != RunEngine::Reference {
+            return Err(Failure::Usage("--samples-in-time goes with --model reference".to_owned()));
+        }
         Ok(())
     }
 
@@ -103,6 +110,10 @@ impl Arguments {
         self.settings.iter().cloned().chain(turntable).collect()
     }
 
+    fn place(&self, name: &str) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| Path::new("out").join(name))
+    }
+
     fn open(&self, scene: Scene, plan: Plan) -> Result<RenderSession, Failure> {
         if self.simulation.is_traced() && scene.views.len() > 1 {
             return Err(Failure::Usage(format!("--trace goes with one frame, but there are {}", scene.views.len())));
@@ -119,12 +130,12 @@ impl Arguments {
 /// Renders a scene.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     arguments.check()?;
+    if arguments.model == RunEngine::Reference {
+        return reference::run(arguments, output);
+    }
     let (scene, plan) = load_on(&arguments.scene, &arguments.settings(), arguments.config.as_deref())?;
     let name = scene_name(&arguments.scene);
-    let place = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(&name));
-    if arguments.model == RunEngine::Reference {
-        return run_reference(&arguments.scene, &scene, &place, output);
-    }
+    let place = arguments.place(&name);
     let results = Results::begin(&place)?;
     let folder = results.folder();
 
@@ -155,20 +166,4 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         return Err(Failure::Blank { path: arguments.scene.clone(), fates });
     }
     Ok(())
-}
-
-/// Renders a scene's first frame by the f64 reference alone.
-fn run_reference(file: &Path, scene: &Scene, place: &Path, output: Output) -> Result<(), Failure> {
-    const PICTURE: &str = "reference.png";
-    let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    if reference.pixels.iter().flatten().next().is_none() {
-        let problem =
-            format!("nothing is drawn of its {} splats: `camera.fit = true` has a camera see them", scene.splats.len());
-        return Err(Failure::Usage(format!("{}: {problem}", file.display())));
-    }
-    let results = Results::begin(place)?;
-    shading::picture(&reference, scene).save_png(&results.folder().join(PICTURE))?;
-    results.finish(&[])?;
-    let path = place.join(PICTURE);
-    output.print(&json!({ "scene": scene_name(file), "reference": path }), &path.display().to_string())
 }
