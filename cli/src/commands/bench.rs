@@ -2,7 +2,7 @@
 
 use super::{Failure, Output, existing, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{bounds, configurations, effects, front, knn, operators, process, splat, traffic};
+use pointcore_lab::bench::{bounds, configurations, effects, front, knn, motion, operators, process, splat, traffic};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "bounds", "traffic", "effects", "knn", "process", "operators", "configurations", "front"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "bounds", "traffic", "effects", "motion", "knn", "process", "operators", "configurations", "front"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -34,6 +34,9 @@ enum Part {
     Traffic,
     /// The renderer: what leaving out saves that a scene does not call for.
     Effects,
+    /// Motion blur in f64: how far each method is from many samples in time; a table and strips of pictures go to a folder `motion-bench` beside the
+    /// output.
+    Motion,
     /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,
     /// The point processor: programs on neighborhoods; its charts and tables go to a folder `process-bench` beside the output.
@@ -64,6 +67,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
     if measures(Part::Effects) {
         effects::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Motion) {
+        motion::figures(&arguments.output.with_file_name("motion-bench"), &mut figures)?;
     }
     if measures(Part::Knn) {
         let folder = arguments.output.with_file_name("knn-bench");

@@ -44,6 +44,7 @@ use pointcore::scene::{Scene, SceneError};
 use pointcore::search::{SearchError, WrongAnswer};
 use pointcore::splat::{Fates, RenderError};
 use pointcore::vectors::VectorsError;
+use pointcore_contract::splat::Config;
 use pointcore_lab::synthesis::SynthesisError;
 use pointcore_lab::{Figures, LabError, note};
 use pointcore_tb::cache::Cache;
@@ -191,33 +192,56 @@ pub fn estimator() -> Result<Estimator, Failure> {
 
 /// Loads a scene and derives its hardware.
 pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
-    let scene = Scene::load(path, settings)?;
-    let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?;
-    warn(path, &scene, &plan);
-    Ok((scene, plan))
+    load_on(path, settings, None)
 }
 
 /// Loads a scene to be rendered on the hardware of a configuration file as it is, or else on its own.
 pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Result<(Scene, Plan), Failure> {
-    let Some(config_path) = config else { return load(path, settings) };
-    let Configuration::Splat(config) = configuration::parse(config_path, &configuration::read_text(config_path)?)?
-    else {
-        return Err(configuration::wrong(
-            config_path,
-            "is not for the renderer: rendering needs a file with the line `kind = \"splat\"`",
-        )
-        .into());
-    };
+    let config = config.map(Renderer::read).transpose()?;
     let scene = Scene::load(path, settings)?;
-    if !scene.overrides.is_empty() {
-        let keys: Vec<_> = scene.overrides.keys().map(|key| format!("overrides.{key}")).collect();
-        note!("ignored, for --config {} says the hardware: {}", config_path.display(), keys.join(", "));
-    }
-    let excluded =
-        |source| Failure::Excluded { path: path.to_owned(), config: config_path.to_owned(), source: Box::new(source) };
-    let plan = Plan::on(&scene, &config).map_err(excluded)?;
-    warn(path, &scene, &plan);
+    let plan = plan_on(path, &scene, config.as_ref())?;
     Ok((scene, plan))
+}
+
+/// The renderer of a configuration file.
+pub struct Renderer<'a> {
+    path: &'a Path,
+    config: Config,
+}
+
+impl<'a> Renderer<'a> {
+    /// Reads the file.
+    pub fn read(path: &'a Path) -> Result<Self, Failure> {
+        match configuration::parse(path, &configuration::read_text(path)?)? {
+            Configuration::Splat(config) => Ok(Self { path, config }),
+            _ => Err(configuration::wrong(
+                path,
+                "is not for the renderer: rendering needs a file with the line `kind = \"splat\"`",
+            )
+            .into()),
+        }
+    }
+}
+
+/// The hardware that a loaded scene calls for, or that of a configuration if it is enough.
+pub fn plan_on(path: &Path, scene: &Scene, renderer: Option<&Renderer>) -> Result<Plan, Failure> {
+    let plan = match renderer {
+        None => Plan::of(scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?,
+        Some(Renderer { path: config, config: given }) => {
+            if !scene.overrides.is_empty() {
+                let keys: Vec<_> = scene.overrides.keys().map(|key| format!("overrides.{key}")).collect();
+                note!("ignored, for --config {} says the hardware: {}", config.display(), keys.join(", "));
+            }
+            let excluded = |source| Failure::Excluded {
+                path: path.to_owned(),
+                config: (*config).to_owned(),
+                source: Box::new(source),
+            };
+            Plan::on(scene, given).map_err(excluded)?
+        }
+    };
+    warn(path, scene, &plan);
+    Ok(plan)
 }
 
 /// Says what will not look right.

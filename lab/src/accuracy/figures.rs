@@ -121,7 +121,7 @@ impl PointFigures {
 }
 
 /// Mean FLIP error at the distance from the screen that its authors suggest.
-fn perceived(picture: &Picture, truth: &Picture) -> f64 {
+pub(crate) fn perceived(picture: &Picture, truth: &Picture) -> f64 {
     let image =
         |picture: &Picture| FlipImageRgb8::with_data(picture.width as u32, picture.height as u32, &picture.bytes());
     let errors = flip(image(truth), image(picture), DEFAULT_PIXELS_PER_DEGREE);

@@ -1,10 +1,11 @@
-//! The project's figures: frames, searches, programs on neighborhoods, operators, and what leaving out saves that a scene does not call for.
+//! The project's figures: frames, motion blur, searches, programs on neighborhoods, operators, and what leaving out saves that a scene does not call for.
 
 pub mod bounds;
 pub mod configurations;
 pub mod effects;
 pub mod front;
 pub mod knn;
+pub mod motion;
 pub mod operators;
 mod page;
 pub mod process;

@@ -23,6 +23,9 @@ impl Plan {
     /// # Errors
     /// The first effect that the scene calls for and the configuration excludes.
     pub fn on(scene: &Scene, config: &Config) -> Result<Self, PlanError> {
+        if scene.motion.is_some() {
+            return Err(PlanError::Moving);
+        }
         let excluded = |effect, reason: String, key, value: String, remedy: String| {
             Err(PlanError::Excluded { effect, reason, key, value, remedy })
         };

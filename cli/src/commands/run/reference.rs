@@ -2,7 +2,7 @@
 
 use super::super::progress::with_count;
 use super::super::results::Results;
-use super::super::{Failure, Output, load_on, scene_name};
+use super::super::{Failure, Output, Renderer, plan_on, scene_name};
 use super::Arguments;
 use pointcore::exposure;
 use pointcore::picture::Picture;
@@ -19,6 +19,7 @@ const PICTURE: &str = "reference.png";
 /// Renders a scene's first frame by the f64 reference alone.
 pub(super) fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let path = &arguments.scene;
+    let renderer = arguments.config.as_deref().map(Renderer::read).transpose()?;
     let scene = Scene::load(path, &arguments.settings())?;
     let place = arguments.place(&scene_name(path));
     let mut document = json!({ "scene": scene_name(path), "reference": place.join(PICTURE) });
@@ -35,7 +36,7 @@ pub(super) fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> 
         }
         None => {
             // Configuration and overrides are held against the scene, as where it is rendered on hardware.
-            load_on(path, &arguments.settings(), arguments.config.as_deref())?;
+            plan_on(path, &scene, renderer.as_ref())?;
             let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
             let is_blank = frame.pixels.iter().flatten().next().is_none();
             ((!is_blank).then(|| shading::picture(&frame, &scene)), String::new())

@@ -34,7 +34,6 @@ pub struct Kernel<'a> {
 enum Shape {
     /// The static renderer's own, for the same bits.
     Still {
-        part: Interval,
         projection: Box<Projection>,
         footprint: Box<Footprint>,
     },
@@ -175,13 +174,13 @@ impl<'a> Kernel<'a> {
             let footprint = Footprint::new(&projection, rendering, Mapping::Backward)?;
             let bounds = footprint.bounds.clone();
             let (projection, footprint) = (Box::new(projection), Box::new(footprint));
-            return Ok(Self { splat, bounds, shape: Shape::Still { part: moving.part, projection, footprint } });
+            return Ok(Self { splat, bounds, shape: Shape::Still { projection, footprint } });
         }
         let shape = Moving::new(moving, camera, rendering)?;
         Ok(Self { splat, bounds: shape.bounds(camera, rendering)?, shape: Shape::Moving(Box::new(shape)) })
     }
 
-    /// Whether it does not move.
+    /// Whether it is where it is for all of the exposure.
     #[must_use]
     pub const fn is_still(&self) -> bool {
         matches!(self.shape, Shape::Still { .. })
@@ -191,10 +190,10 @@ impl<'a> Kernel<'a> {
     #[must_use]
     pub fn pieces(&self, place: &Place, camera: &Camera) -> Vec<Piece> {
         match &self.shape {
-            Shape::Still { part, footprint, .. } => {
+            Shape::Still { footprint, .. } => {
                 let squared = footprint.squared_distance(place.column, place.row);
                 let squared_distance = SquaredDistance::still(squared);
-                if squared < 1.0 { vec![Piece { interval: *part, squared_distance }] } else { Vec::new() }
+                if squared < 1.0 { vec![Piece { interval: Interval::EXPOSURE, squared_distance }] } else { Vec::new() }
             }
             Shape::Moving(moving) => moving.pieces(place.ray(camera), camera),
         }

@@ -46,10 +46,10 @@ impl MovingSplat {
         Self { splat, motion: DVec3::ZERO, part: Interval::EXPOSURE }
     }
 
-    /// Whether it does not move.
+    /// Whether it is where it is for all of the exposure.
     #[must_use]
     pub fn is_still(&self) -> bool {
-        self.motion == DVec3::ZERO
+        self.motion == DVec3::ZERO && self.part == Interval::EXPOSURE
     }
 }
 
@@ -132,3 +132,8 @@ pub fn expose(splats: &[MovingSplat], method: Method, setting: &Setting) -> Expo
     let samples = (0..rendering.height).into_par_iter().flat_map_iter(row).collect();
     Exposure { width: rendering.width, height: rendering.height, samples }
 }
+
+#[cfg(test)]
+mod quadrature;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,130 @@
+//! Motion blur: how far each method's picture is from the mean of many still frames, the truth, and how many still frames err as little.
+
+use crate::accuracy::figures::{PSNR_MAX_DB, perceived};
+use crate::{Figures, LabError, note, write};
+use pointcore::exposure::{by_method, by_samples};
+use pointcore::picture::Picture;
+use pointcore::scene::Scene;
+use pointcore::shading;
+use pointcore_golden::reference::motion::Method;
+use pointcore_golden::reference::{Mapping, render};
+use std::path::Path;
+use std::time::Instant;
+
+/// The shipped scenes that move, in `scenes/motion/`.
+const SCENES: [&str; 4] = ["translation", "rotation", "uncover", "ends"];
+/// What is measured.
+const METHODS: [Method; 9] = [
+    Method::Exact,
+    Method::Bins(1),
+    Method::Bins(2),
+    Method::Bins(4),
+    Method::Bins(8),
+    Method::Passes(1),
+    Method::Passes(2),
+    Method::Passes(4),
+    Method::Passes(8),
+];
+/// What a strip shows, from left to right, behind the truth.
+const SHOWN: [Method; 4] = [Method::Exact, Method::Bins(4), Method::Passes(1), Method::Passes(4)];
+/// Samples in time of the truth.
+const TRUE_SAMPLES: usize = 256;
+/// How many samples in time are tried, from the fewest up, until they err as little as a method.
+const LADDER: [usize; 14] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
+/// How much differences are magnified.
+const MAGNIFICATION: f64 = 4.0;
+
+const HEAD: &str = "| scene | | exact | bins:1 | bins:2 | bins:4 | bins:8 | gpu:1 | gpu:2 | gpu:4 | gpu:8 |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+
+/// A picture beside the truth.
+struct Measured {
+    psnr_db: f64,
+    flip: f64,
+    seconds: f64,
+    picture: Picture,
+}
+
+impl Measured {
+    fn new(truth: &Picture, draw: impl FnOnce() -> Picture) -> Self {
+        let begin = Instant::now();
+        let picture = draw();
+        let seconds = begin.elapsed().as_secs_f64();
+        let psnr_db = picture.psnr_db(truth).min(PSNR_MAX_DB);
+        Self { psnr_db, flip: perceived(&picture, truth), seconds, picture }
+    }
+}
+
+/// A method as a part of a figure's key.
+fn key(method: Method) -> String {
+    method.to_string().replace(':', "_")
+}
+
+/// Measures every scene; a table and a strip of pictures each go to `folder`.
+///
+/// # Errors
+/// A scene cannot be loaded, or the folder not be written.
+pub fn figures(folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
+    let mut table = HEAD.to_owned();
+    for name in SCENES {
+        let scene = Scene::load(&Path::new("scenes/motion").join(name).with_extension("toml"), &[])?;
+        note!("{name}: the truth from {TRUE_SAMPLES} samples in time");
+        let supersampled = |count: usize| shading::exposed(&by_samples(&scene, count, &|| ()), &scene);
+        let truth = supersampled(TRUE_SAMPLES);
+        let ladder: Vec<_> = LADDER.iter().map(|&count| Measured::new(&truth, || supersampled(count))).collect();
+        for (count, measured) in LADDER.iter().zip(&ladder) {
+            figures.insert(format!("motion.{name}.psnr_db.samples_{count}"), measured.psnr_db.into());
+            figures.insert(format!("motion.{name}.flip.samples_{count}"), measured.flip.into());
+        }
+        let methods = METHODS.map(|method| {
+            note!("{name}: {method}");
+            Measured::new(&truth, || shading::exposed(&by_method(&scene, method, &|| ()), &scene))
+        });
+        let equal: Vec<_> = methods
+            .iter()
+            .map(|method| {
+                ladder.iter().position(|samples| samples.psnr_db >= method.psnr_db).map(|index| LADDER[index])
+            })
+            .collect();
+        for ((method, measured), equal) in METHODS.iter().zip(&methods).zip(&equal) {
+            let method = key(*method);
+            figures.insert(format!("motion.{name}.psnr_db.{method}"), measured.psnr_db.into());
+            figures.insert(format!("motion.{name}.flip.{method}"), measured.flip.into());
+            figures.insert(format!("motion.{name}.seconds.{method}"), measured.seconds.into());
+            if let Some(count) = equal {
+                figures.insert(format!("motion.{name}.equal_samples.{method}"), (*count).into());
+            }
+        }
+        let row = |what: &str, cell: &dyn Fn(usize) -> String| {
+            let cells: Vec<_> = (0..METHODS.len()).map(cell).collect();
+            format!("| {} | {what} | {} |\n", if what == "PSNR, dB" { name } else { "" }, cells.join(" | "))
+        };
+        table += &row("PSNR, dB", &|index| format!("{:.1}", methods[index].psnr_db));
+        table += &row("FLIP", &|index| format!("{:.4}", methods[index].flip));
+        table += &row("samples that err as little", &|index| {
+            equal[index].map_or_else(|| format!("> {}", LADDER[LADDER.len() - 1]), |count| count.to_string())
+        });
+        // The table so far, which makes the folder, too.
+        write(&folder.join("README.md"), &table)?;
+        save_strip(&scene, &truth, &methods, &folder.join(format!("motion_{name}.png")))?;
+    }
+    Ok(())
+}
+
+/// Above, the truth and the methods' pictures; below, the still picture of the middle of the exposure, and the methods' differences from the truth.
+fn save_strip(scene: &Scene, truth: &Picture, methods: &[Measured], path: &Path) -> Result<(), LabError> {
+    let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+    let shown = |method: &Method| METHODS.iter().position(|other| other == method).map(|index| &methods[index].picture);
+    let shown: Vec<_> = SHOWN.iter().filter_map(shown).collect();
+    let above: Vec<_> = std::iter::once(truth).chain(shown.iter().copied()).cloned().collect();
+    let differences = shown.iter().map(|picture| picture.difference(truth, MAGNIFICATION));
+    let below: Vec<_> = std::iter::once(shading::picture(&frame, scene)).chain(differences).collect();
+    let (width, height) = (truth.width, truth.height);
+    let rows = [above, below].into_iter().flat_map(|pictures| {
+        (0..height).flat_map(move |row| {
+            let pixels = |picture: &Picture| picture.pixels[row * width..(row + 1) * width].to_vec();
+            pictures.iter().flat_map(pixels).collect::<Vec<_>>()
+        })
+    });
+    let strip = Picture { width: width * (1 + SHOWN.len()), height: 2 * height, pixels: rows.collect() };
+    Ok(strip.save_png(path)?)
+}
