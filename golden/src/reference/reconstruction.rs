@@ -132,6 +132,19 @@ impl Pixel {
         decision
     }
 
+    /// Adds all that another pixel has summed up, whatever its depth.
+    pub fn merge(&mut self, other: &Self) {
+        self.weight += other.weight;
+        self.weighted_depth += other.weighted_depth;
+        for (sum, others) in self.weighted_attributes.iter_mut().zip(other.weighted_attributes) {
+            *sum += others;
+        }
+        if self.cardinal_weight < other.cardinal_weight {
+            self.cardinal_weight = other.cardinal_weight;
+            self.material = other.material;
+        }
+    }
+
     /// Eq. 5.8; the stored depth is normalized first. Equality with a limit blends.
     fn test(&mut self, Band { low, high, .. }: Band) -> Decision {
         if self.weight == 0.0 {

@@ -2,61 +2,81 @@
 
 use super::exposure::Exposed;
 use super::interval::Interval;
-use super::kernel::Hit;
+use super::kernel::{Hit, Piece};
 use super::{Place, Setting};
 use crate::reference::reconstruction::{Decision, Pixel};
 
 /// Parts of the exposure shorter than this are not cut where surfaces change places: as many as temporal samples of the truth.
 const SHORTEST: f64 = 2.0 / 256.0;
 
+/// A splat over the sample, for one of its pieces.
+#[derive(Clone, Copy)]
+struct Entry<'h> {
+    /// Its place in the order in which splats came.
+    order: usize,
+    hit: &'h Hit<'h>,
+    piece: &'h Piece,
+}
+
 /// Cuts the exposure and adds up what is seen in each part.
 pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting) -> Exposed {
-    let ends = hits.iter().flat_map(|hit| &hit.pieces).flat_map(|piece| [piece.interval.begin, piece.interval.end]);
+    let entries = hits
+        .iter()
+        .enumerate()
+        .flat_map(|(order, hit)| hit.pieces.iter().map(move |piece| Entry { order, hit, piece }));
+    let mut coming: Vec<Entry> = entries.collect();
+    coming.sort_by(|a, b| a.piece.interval.begin.total_cmp(&b.piece.interval.begin));
+    let ends = coming.iter().flat_map(|entry| [entry.piece.interval.begin, entry.piece.interval.end]);
     let mut cuts: Vec<f64> = ends.collect();
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
+
     let mut exposed = Exposed::default();
-    // Splats that begin and have not ended, in the order in which they came.
+    let mut coming = coming.into_iter().peekable();
+    // Those that have come and not gone, in the order of splats.
+    let mut there: Vec<Entry> = Vec::new();
     for interval in cuts.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1])) {
-        let there: Vec<&Hit> = hits.iter().filter(|hit| hit.covers(interval.middle())).collect();
+        there.retain(|entry| entry.piece.interval.end > interval.begin);
+        while let Some(entry) = coming.next_if(|entry| entry.piece.interval.begin <= interval.begin) {
+            let index = there.partition_point(|other| other.order < entry.order);
+            there.insert(index, entry);
+        }
         see(&there, interval, place, setting, &mut exposed);
     }
     exposed
 }
 
 /// Adds what is seen in an interval in which the same splats cover the sample.
-fn see(hits: &[&Hit], interval: Interval, place: &Place, setting: &Setting, exposed: &mut Exposed) {
-    if hits.is_empty() {
+fn see(there: &[Entry], interval: Interval, place: &Place, setting: &Setting, exposed: &mut Exposed) {
+    if there.is_empty() {
         return;
     }
-    let halves = [(interval.begin, interval.middle()), (interval.middle(), interval.end)];
-    if interval.length() > SHORTEST
-        && surface(hits, interval, interval.begin, place, setting).1
-            != surface(hits, interval, interval.end, place, setting).1
-    {
-        for half in halves.into_iter().filter_map(|(begin, end)| Interval::new(begin, end)) {
-            see(hits, half, place, setting, exposed);
+    let members = |time: f64| surface(there, interval, time, place, setting).1;
+    if interval.length() > SHORTEST && members(interval.begin) != members(interval.end) {
+        let middle = interval.middle();
+        for (begin, end) in [(interval.begin, middle), (middle, interval.end)] {
+            see(there, Interval { begin, end }, place, setting, exposed);
         }
         return;
     }
-    if let Some(fragment) = surface(hits, interval, interval.middle(), place, setting).0.normalized() {
+    if let Some(fragment) = surface(there, interval, interval.middle(), place, setting).0.normalized() {
         exposed.add((setting.shade)(&fragment, place.position), setting.shutter.share(interval));
     }
 }
 
 /// The surface that is seen with depths as they are at a time, and which splats it is of.
-fn surface(hits: &[&Hit], interval: Interval, time: f64, place: &Place, setting: &Setting) -> (Pixel, Vec<usize>) {
+fn surface(there: &[Entry], interval: Interval, time: f64, place: &Place, setting: &Setting) -> (Pixel, Vec<usize>) {
     let Setting { camera, rendering, shutter, .. } = *setting;
     let (mut pixel, mut members) = (Pixel::default(), Vec::new());
-    for (index, hit) in hits.iter().enumerate() {
-        let weight = hit.integral(interval, shutter, rendering.kernel_gamma);
+    for Entry { order, hit, piece } in there {
+        let weight = piece.squared_distance.integral(shutter, rendering.kernel_gamma, interval);
         if weight <= 0.0 {
             continue;
         }
         match pixel.add(hit.kernel.splat, hit.kernel.band(time, place, camera, rendering), weight) {
             Decision::Fail => {}
-            Decision::Pass => members = vec![index],
-            Decision::Blend => members.push(index),
+            Decision::Pass => members = vec![*order],
+            Decision::Blend => members.push(*order),
         }
     }
     (pixel, members)

@@ -6,6 +6,7 @@
 //! which anything was there as coverage.
 
 mod a_buffer;
+mod background;
 mod bins;
 mod disc;
 pub mod distance;

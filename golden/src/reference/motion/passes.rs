@@ -4,23 +4,18 @@
 //! Passes 3 and 4 find the earliest and the latest time covered, pass 5 blends all kernels that are left with all of their integral, pass 6 normalizes
 //! and blends with what is behind by the time covered. Splats that stand still are drawn before, as that background.
 
+use super::background::Background;
 use super::exposure::Exposed;
 use super::interval::Interval;
 use super::kernel::Hit;
 use super::{Place, Setting};
 use crate::reference::reconstruction::{Band, Pixel};
 
-/// The picture of splats that stand still.
-struct Background {
-    exposed: Exposed,
-    depth: f64,
-}
-
 /// Carries out the passes for one sample.
 pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, parts: usize) -> Exposed {
     let Setting { camera, rendering, shutter, .. } = *setting;
     let (still, moving): (Vec<&Hit>, Vec<&Hit>) = hits.iter().partition(|hit| hit.kernel.is_still());
-    let background = background(&still, place, setting);
+    let background = Background::new(&still, place, setting);
     let band = |hit: &Hit, time: f64| hit.kernel.band(time, place, camera, rendering);
     let mut exposed = Exposed::default();
     for part in Interval::equal_parts(parts) {
@@ -47,23 +42,7 @@ pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, parts: usi
             exposed.add((setting.shade)(&fragment, place.position), share);
             rest -= share;
         }
-        exposed.light.iter_mut().zip(background.exposed.light).for_each(|(sum, light)| *sum += rest * light);
-        exposed.coverage += rest * background.exposed.coverage;
+        background.add_to(&mut exposed, rest);
     }
     exposed
-}
-
-fn background(still: &[&Hit], place: &Place, setting: &Setting) -> Background {
-    let Setting { camera, rendering, shutter, .. } = *setting;
-    let mut pixel = Pixel::default();
-    for hit in still {
-        let weight = hit.integral(Interval::EXPOSURE, shutter, rendering.kernel_gamma);
-        pixel.add(hit.kernel.splat, hit.kernel.band(0.0, place, camera, rendering), weight);
-    }
-    let mut exposed = Exposed::default();
-    let fragment = pixel.normalized();
-    if let Some(fragment) = &fragment {
-        exposed.add((setting.shade)(fragment, place.position), 1.0);
-    }
-    Background { exposed, depth: fragment.map_or(f64::INFINITY, |fragment| fragment.depth) }
 }
