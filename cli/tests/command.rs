@@ -330,3 +330,28 @@ fn the_models_render_a_scene_and_leave_a_report() {
         assert!(workplace.path().join("golden").join(file).is_file(), "{file} is missing");
     }
 }
+
+#[test]
+fn a_moving_scene_is_rendered_in_f64_alone() {
+    let workplace = Workplace::new();
+    let moving = format!("{SCENE}motion = {{ velocity = [1, 0, 0] }}\n[shutter]\nopen = 0\nclose = 1\n");
+    workplace.write("scene.toml", &moving);
+    for model in ["rtl", "golden"] {
+        let parts = ["scene.toml", "motion blur", "--model reference"];
+        workplace.fails(WRONG_INPUT, &["run", "scene.toml", "--model", model], &parts);
+    }
+    let run = |arguments: &[&str]| {
+        json(&workplace.succeeds(&[&["run", "scene.toml", "--model", "reference", "--json"], arguments].concat()))
+    };
+    let exact = run(&[]);
+    assert_eq!((&exact["motion"]["method"], &exact["motion"]["splats"]), (&Value::from("exact"), &Value::from(500)));
+    assert!(workplace.path().join("out/scene/reference.png").is_file());
+    let bins = run(&["--set", "splatting.motion=bins:4", "-o", "bins"]);
+    assert_eq!(bins["motion"]["method"], "bins:4");
+    let truth = run(&["--samples-in-time", "32"]);
+    assert_eq!(truth["motion"]["method"], "32 samples in time");
+    let coverage = |report: &Value| report["motion"]["coverage"].as_f64().expect("a share");
+    for report in [&exact, &bins] {
+        assert!((coverage(report) - coverage(&truth)).abs() < 0.01, "{report} beside {truth}");
+    }
+}

@@ -18,6 +18,7 @@ pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, parts: usi
     let background = Background::new(&still, place, setting);
     let band = |hit: &Hit, time: f64| hit.kernel.band(time, place, camera, rendering);
     let mut exposed = Exposed::default();
+    let mut rest = 1.0;
     for part in Interval::equal_parts(parts) {
         let drawn_at = |time: f64| {
             let depths = moving.iter().filter(|hit| hit.covers(time)).map(|hit| band(hit, time).depth());
@@ -36,13 +37,12 @@ pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, parts: usi
             blended.add(hit.kernel.splat, Band::everywhere(nearest.depth()), weight);
             seen = Some(seen.map_or(covered, |before| before.hull(covered)));
         }
-        let mut rest = shutter.share(part);
         if let (Some(fragment), Some(seen)) = (blended.normalized(), seen) {
             let share = shutter.share(seen);
             exposed.add((setting.shade)(&fragment, place.position), share);
             rest -= share;
         }
-        background.add_to(&mut exposed, rest);
     }
+    background.add_to(&mut exposed, rest);
     exposed
 }

@@ -292,12 +292,13 @@ fn parts_of_an_integral_add_up() {
     }
 }
 
-/// A red sheet that flies before a green one that stands still.
+/// A red sheet that flies before a green one that comes the other way.
 fn sheets() -> Vec<MovingSplat> {
     let mut splats = Vec::new();
     for index in 0..64 {
         let at = |z: f64| DVec3::new(f64::from(index % 8) * 0.35 - 1.2, f64::from(index / 8) * 0.35 - 1.2, z);
-        splats.push(MovingSplat::still(facing(at(8.0), 0.3, [0.0, 1.0, 0.0])));
+        let splat = facing(at(8.0), 0.3, [0.0, 1.0, 0.0]);
+        splats.push(MovingSplat { splat, motion: DVec3::X * -1.1, part: Interval::EXPOSURE });
         if index % 8 < 3 {
             let motion = DVec3::new(0.9, 0.2, 0.0);
             let splat = facing(at(5.0) * DVec3::new(0.6, 0.6, 1.0), 0.2, [1.0, 0.0, 0.0]);
@@ -313,7 +314,8 @@ fn methods_approach_the_truth() {
     let truth = truth(&splats, 256);
     let error = |method| difference(&exposed(&splats, method, Shutter::Box), &truth);
     let exact = error(Method::Exact);
-    assert!(exact < 2e-3, "{exact}: the truth itself errs by a step at every edge");
+    // The truth errs by up to half of its step at each of the four edges that pass a sample.
+    assert!(exact < 4.0 * 0.5 / 256.0, "{exact}");
     let bins: Vec<_> = [1, 2, 4, 8, 16].map(|count| error(Method::Bins(count))).to_vec();
     assert!(bins.windows(2).all(|pair| pair[1] < pair[0]), "{bins:?} fall");
     assert!(bins[4] < 0.2 * bins[0]);

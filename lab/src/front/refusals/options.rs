@@ -31,6 +31,9 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --model reference --depth", "--depth", "--model rtl or golden"),
     ("run good.toml --model reference --turntable 3", "--turntable", "--model rtl or golden"),
     ("run good.toml --model reference --stalls 0.1", "--stalls", "--model rtl or golden"),
+    ("run good.toml --model reference --samples-in-time 8", "--samples-in-time", "`[shutter]`"),
+    ("run good.toml --model reference --samples-in-time 0", "--samples-in-time", "1 to 65536"),
+    ("run good.toml --samples-in-time 8", "--samples-in-time", "--model reference"),
     ("run good.toml --model golden --normals --set light.diffuse=0", "--normals", "`light.diffuse`"),
     // Configurations.
     ("run good.toml --config gone-config.toml", "gone-config.toml", "cannot be read"),

@@ -106,6 +106,14 @@ pub(super) const ROWS: Rows = &[
     ("run good.xyz --set object.0.radius_limit=-1", "`object.0.radius_limit` is -1", "expected"),
     ("run good.xyz --set object.0.points=0", "`object.0.points` is 0", "expected 1 to 4000000"),
     ("run good.toml --set object=[]", "`object` is empty", "at least one object"),
+    // What moves.
+    ("run good.toml --set object.0.motion.velocity=[1,0,0]", "`object.0.motion`", "`[shutter]`"),
+    ("run good.toml --set shutter.open=0 --set shutter.close=0", "`shutter.close` is 0", "more than `shutter.open`"),
+    ("run good.toml --set splatting.motion=bins:0", "`splatting.motion` is \"bins:0\"", "\"bins:8\""),
+    ("run moving.toml", "moving.toml", "--model reference"),
+    ("plan moving.toml", "moving.toml", "--model reference"),
+    ("gen moving.toml -o out", "moving.toml", "--model reference"),
+    ("vectors moving.toml -o out", "moving.toml", "--model reference"),
     // What is not to be seen.
     ("run good.toml --set camera.target=[0,0,9] --model reference", "good.toml", "camera.fit"),
 ];
@@ -120,6 +128,10 @@ pub(super) fn files() -> Vec<File> {
     let (before, object) = SCENE.split_once("[[object]]").expect("a scene has an object");
     vec![
         ("good.toml", SCENE.into()),
+        (
+            "moving.toml",
+            format!("{SCENE}motion = {{ velocity = [1, 0, 0] }}\n[shutter]\nopen = 0\nclose = 1\n").into_bytes(),
+        ),
         ("empty.toml", Vec::new()),
         ("prose.toml", b"Dear reader,\nthis is no scene.\n".to_vec()),
         ("cut.toml", scene(" }\n[[", "\n[[")),

@@ -233,3 +233,6 @@ fn moved_camera(camera: &Camera, way: &DAffine3) -> Camera {
     });
     Camera { model_view, ..*camera }
 }
+
+#[cfg(test)]
+mod tests;
