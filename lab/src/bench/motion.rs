@@ -8,6 +8,7 @@ use pointcore::scene::Scene;
 use pointcore::shading;
 use pointcore_golden::reference::motion::Method;
 use pointcore_golden::reference::{Mapping, render};
+use pointcore_tb::cache::file;
 use std::path::Path;
 use std::time::Instant;
 
@@ -126,5 +127,22 @@ fn save_strip(scene: &Scene, truth: &Picture, methods: &[Measured], path: &Path)
         })
     });
     let strip = Picture { width: width * (1 + SHOWN.len()), height: 2 * height, pixels: rows.collect() };
-    Ok(strip.save_png(path)?)
+    save_small(&strip, path)
+}
+
+/// Writes a PNG as small as it gets, for it goes with the documents.
+fn save_small(picture: &Picture, path: &Path) -> Result<(), LabError> {
+    let written = || -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, picture.width as u32, picture.height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&picture.bytes())?;
+        writer.finish()?;
+        Ok(bytes)
+    };
+    let bytes = written().map_err(std::io::Error::other);
+    Ok(bytes.and_then(|bytes| std::fs::write(path, bytes)).map_err(file("write", path))?)
 }
