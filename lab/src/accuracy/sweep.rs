@@ -12,7 +12,7 @@ use crate::LabError;
 use pointcore::area::estimate::Estimator;
 use pointcore::area::proxy::Proxy;
 use pointcore::picture::Picture;
-use pointcore::plan::Plan;
+use pointcore::plan::{Plan, PlanError};
 use pointcore::scene::Scene;
 use pointcore::shading::picture;
 use pointcore::splat::SplatCore;
@@ -118,10 +118,13 @@ impl Sweep {
     /// `hardware`.
     ///
     /// # Errors
-    /// The scene cannot be loaded.
+    /// The scene cannot be loaded, or moves while the shutter is open.
     pub fn open(path: &Path, settings: &[String], folder: PathBuf, hardware: PointEngine) -> Result<Self, LabError> {
         let scenes = Scenes { path: path.to_owned(), settings: settings.to_vec(), loaded: Mutex::default() };
         let truth = scenes.load(&TRUTH.map(str::to_owned))?;
+        if truth.scene.motion.is_some() {
+            return Err(PlanError::Moving.into());
+        }
         Ok(Self { scenes, cache: Cache::new(folder), hardware, truth, truth_picture: Mutex::default() })
     }
 

@@ -113,6 +113,7 @@ pub(super) const ROWS: Rows = &[
     ("run moving.toml", "moving.toml", "--model reference"),
     ("plan moving.toml", "moving.toml", "--model reference"),
     ("gen moving.toml -o out", "moving.toml", "--model reference"),
+    ("accuracy moving.toml", "the scene moves", "--model reference"),
     ("vectors moving.toml -o out", "moving.toml", "--model reference"),
     // What is not to be seen.
     ("run good.toml --set camera.target=[0,0,9] --model reference", "good.toml", "camera.fit"),
