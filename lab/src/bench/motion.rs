@@ -27,7 +27,7 @@ const METHODS: [Method; 9] = [
     Method::Passes(8),
 ];
 /// What a strip shows, from left to right, behind the truth.
-const SHOWN: [Method; 4] = [Method::Exact, Method::Bins(4), Method::Passes(1), Method::Passes(4)];
+const SHOWN: [Method; 3] = [Method::Exact, Method::Bins(4), Method::Passes(1)];
 /// Samples in time of the truth.
 const TRUE_SAMPLES: usize = 256;
 /// How many samples in time are tried, from the fewest up, until they err as little as a method.

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// How far a path may lie from its chord: a quarter of what the screen filter smooths over.
 const BEND_LIMIT_PX: f64 = 0.25;
 /// How far a splat's rim may lie from where it is drawn.
-const TURN_LIMIT_PX: f64 = 0.5;
+const TURN_LIMIT_PX: f64 = 0.25;
 /// How far a splat may turn in a part, in radians: its cosine to the light then errs by an eighth at most, and by nothing in the mean.
 const TURN_LIMIT: f64 = 0.25;
 /// By which share of its distance from the eye a splat may come nearer or go farther in a part.
