@@ -1,7 +1,7 @@
 //! The squared distance of a sample from a moving splat, over time, and the integral of the kernel along it.
 //!
 //! On a splat that moves along a line with constant tangents, the place that a viewing ray meets moves along a line, too:
-//! `(s, t)(τ) = (s0, t0) + τ·(s', t')`, even in perspective ([`super::disc`]). With
+//! `(s, t)(τ) = (s0, t0) + τ·(s', t')`, even in perspective. With
 //!
 //! ```text
 //! q0 = s0² + t0²     q1 = s0·s' + t0·t'     q2 = s'² + t'²     c = s0·t' − t0·s'
@@ -82,7 +82,7 @@ impl SquaredDistance {
     /// `∫ a(τ)·exp(−γ·ρ²(τ)) dτ` over an interval, with the whole exposure's `∫ a(τ) dτ` scaled to one: thesis eq. 4.19.
     ///
     /// With `F = γ·q2 + f` the exponent is `γ(γ·c² + f·q0)/F + (√F·τ + γ·q1/√F)²`. Of a box shutter (`f = 0`) `F` may vanish; then the integrand
-    /// hardly changes, and [`NARROW`] has the series about the interval's middle in the place of error functions.
+    /// hardly changes, and below a narrow width there is its series about the interval's middle in the place of error functions.
     #[must_use]
     pub fn integral(&self, shutter: Shutter, gamma: f64, interval: Interval) -> f64 {
         let falloff = shutter.falloff();
