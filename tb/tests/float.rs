@@ -17,7 +17,7 @@ fn agree(format: Format, stages: Stages, enable: Enable, cases: u64) {
         reports.iter().filter(|report| report.mismatches > 0).map(ToString::to_string).collect();
     assert!(
         differing.is_empty(),
-        "{format}: {}\nreproduce: {SEED_VARIABLE}={seed} cargo test -p pointcore --test units float",
+        "{format}: {}\nreproduce: {SEED_VARIABLE}={seed} cargo test -p pointcore-tb --test units float",
         differing.join("\n")
     );
 }

@@ -6,7 +6,7 @@ use pointcore::splat::activity::{State, Unit};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
-use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
+use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, Waveform, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
 
 use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, scene, stalls};
@@ -106,6 +106,7 @@ fn a_fault_in_one_unit_is_reported_with_cycle_and_port() {
     let ports: Vec<&str> = differences.iter().map(|difference| difference.port.as_str()).collect();
     assert!(ports.iter().any(|port| ["write_depth", "fragment_depth"].contains(port)), "{failure}");
     assert!(failure.cycle > 100, "samples need as long to be accumulated: {failure}");
+    assert!(matches!(failure.waveform, Waveform::Written(_)), "the replay shows the same failure: {failure}");
     let text = failure.to_string();
     assert!(text.contains(&format!("cycle {}", failure.cycle)) && text.contains(ports[0]), "{text}");
 }

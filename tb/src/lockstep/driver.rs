@@ -160,9 +160,15 @@ impl<G: Golden> Lockstep<G> {
         Ok(state.protocol.check(&state.inputs, &state.outputs).map_err(Cause::Protocol))
     }
 
-    fn explain(&self, cycle: u64, cause: Cause, state: &State, initial: impl Stimulus) -> LockstepError {
-        let replay =
-            Replay { library: &self.library, seed: self.seed, cycle, outputs: &state.outputs, recorded: self.recorded };
+    fn explain(&mut self, cycle: u64, cause: Cause, state: &State, initial: impl Stimulus) -> LockstepError {
+        let replay = Replay {
+            library: &self.library,
+            seed: self.seed,
+            cycle,
+            outputs: &state.outputs,
+            comparison: &mut self.comparison,
+            recorded: self.recorded,
+        };
         let waveform: Waveform = replay.run(initial);
         let ports = self.library.inputs().iter().map(|port| port.name.clone());
         LockstepError::Failed(Box::new(LockstepFailure {
@@ -226,5 +232,5 @@ impl State {
 fn reproducing_test(seed: u64) -> String {
     let thread = std::thread::current();
     let test = thread.name().filter(|name| *name != "main").unwrap_or_default();
-    format!("{SEED_VARIABLE}={seed} cargo test -p pointcore --test units {test}").trim_end().to_owned()
+    format!("{SEED_VARIABLE}={seed} cargo test -p pointcore-tb --test units {test}").trim_end().to_owned()
 }

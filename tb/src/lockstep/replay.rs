@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::comparison::Comparison;
 use super::failure::Waveform;
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
 use crate::cache::kept;
@@ -16,17 +17,19 @@ pub struct Replay<'a> {
     pub cycle: u64,
     /// The hardware's outputs in that cycle.
     pub outputs: &'a [u64],
+    /// Which of them matter.
+    pub comparison: &'a mut Comparison,
     /// Cycles to record, up to and with the failing one.
     pub recorded: u64,
 }
 
 impl Replay<'_> {
     /// Runs `stimulus` from its beginning up to the failing cycle.
-    pub fn run(&self, stimulus: impl Stimulus) -> Waveform {
+    pub fn run(mut self, stimulus: impl Stimulus) -> Waveform {
         self.record(stimulus).unwrap_or_else(Waveform::Unavailable)
     }
 
-    fn record(&self, mut stimulus: impl Stimulus) -> Result<Waveform, VerilatedError> {
+    fn record(&mut self, mut stimulus: impl Stimulus) -> Result<Waveform, VerilatedError> {
         let path = self.path()?;
         if substitute::are_asked_for() {
             return Err(VerilatedError::Waveform { path, reason: "substitutes are run without" });
@@ -51,7 +54,8 @@ impl Replay<'_> {
                 Err(error) => return Err(error),
             }
         }
-        Ok(if outputs == self.outputs { Waveform::Written(path) } else { Waveform::Diverged(path) })
+        let is_same = self.comparison.agree(&outputs, self.outputs);
+        Ok(if is_same { Waveform::Written(path) } else { Waveform::Diverged(path) })
     }
 
     /// A file beside the cached builds; its name says which run it is of.

@@ -25,7 +25,7 @@ const TOKENS: usize = 300;
 #[test]
 fn random_programs_agree_with_the_interpreter_in_every_cycle() {
     for seed in seeds(1).expect("the seed is a number") {
-        println!("{SEED_VARIABLE}={seed} cargo test -p pointcore --test units compiler::random_programs");
+        println!("{SEED_VARIABLE}={seed} cargo test -p pointcore-tb --test units compiler::random_programs");
         let mut rng = Rng::with_seed(seed);
         let intervals = INTERVALS.iter().flat_map(|&interval| [interval; PROGRAMS_PER_INTERVAL]);
         let programs = intervals.enumerate().map(|(index, interval)| {

@@ -56,7 +56,7 @@ fn an_injected_fault_is_located_and_recorded() {
     assert!(fs::metadata(path).unwrap().len() > 0);
     let text = failure.to_string();
     for part in
-        ["cycle", "hardware 0x1ffff, model 0x1", "in_valid=", ".fst", "cargo test -p pointcore --test units harness"]
+        ["cycle", "hardware 0x1ffff, model 0x1", "in_valid=", ".fst", "cargo test -p pointcore-tb --test units harness"]
     {
         assert!(text.contains(part), "`{part}` is missing in: {text}");
     }
