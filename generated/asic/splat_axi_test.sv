@@ -228,12 +228,12 @@ module axi_test_writes #(parameter BITS = 64, parameter BEATS = 1, parameter TIL
 endmodule
 
 module splat_axi_test;
-    localparam WORDS = 15706;
+    localparam WORDS = 15706, ANSWERS = 48;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 6, EVENTS = 6;
     localparam [31:0] NAME_MASK = 32'h1f80000, SECOND_NAME_MASK = 32'h1f8, END_MASK = 32'h1;
-    localparam TILES = 8192, PIXEL_BEATS = 8, PAGES = 64;
+    localparam TILES = 8192, PIXEL_BEATS = 8;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -459,8 +459,8 @@ module splat_axi_test;
 
     // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
-    integer answer_next [0:127];
-    integer answer_packets [0:127];
+    integer answer_next [0:ANSWERS-1];
+    integer answer_packets [0:ANSWERS-1];
     integer answers = 0, packets_left = 0, packets_received = 0, receive_beat = 0, found, frame_packets;
     reg [32*PACKET_WORDS-1:0] packet;
     reg received_packet = 1'b0;
@@ -522,7 +522,9 @@ module splat_axi_test;
         if (rst) receive_beat <= 0;
     end
 
-    // The reconstruction buffer: a page for each tile that is written, and which of its pixels have been.
+    // The reconstruction buffer: a page for each tile that is written, and which of its pixels have been. A tile that is written has
+    // fragments, an answer of its own for each frame.
+    localparam PAGES = ANSWERS;
     localparam TILE_BYTES = 64 * PIXEL_BEATS * (MEMORY_BITS / 8);
     reg [31:0] buffer_base = 32'd0;
     reg [PIXEL_BEATS*MEMORY_BITS-1:0] pixels [0:64*PAGES-1];

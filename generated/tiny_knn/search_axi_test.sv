@@ -148,7 +148,7 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module search_axi_test;
-    localparam WORDS = 16584;
+    localparam WORDS = 16584, ANSWERS = 10;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6;
@@ -391,8 +391,8 @@ module search_axi_test;
 
     // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
-    integer answer_next [0:127];
-    integer answer_packets [0:127];
+    integer answer_next [0:ANSWERS-1];
+    integer answer_packets [0:ANSWERS-1];
     integer answers = 0, packets_left = 0, packets_received = 0, receive_beat = 0, found, frame_packets;
     reg [32*PACKET_WORDS-1:0] packet;
     reg received_packet = 1'b0;

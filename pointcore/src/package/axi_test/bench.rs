@@ -1,6 +1,6 @@
 //! The bench of a core on AXI: its parts, put together for a configuration.
 
-use super::script::MAGIC;
+use super::script::{FinishedScript, MAGIC};
 use crate::package::GENERATOR;
 use pointcore_contract::Field;
 use pointcore_contract::bus::Config;
@@ -26,8 +26,6 @@ pub struct Buffer {
     pub tiles: u32,
     /// Beats of a pixel.
     pub pixel_beats: u32,
-    /// Tiles that a frame writes at most.
-    pub pages: u32,
 }
 
 /// A port by which the core reads.
@@ -55,8 +53,8 @@ pub struct Bench<'a> {
     pub top: &'a Design,
     /// Its buses' widths.
     pub bus: Config,
-    /// Words of the script.
-    pub words: usize,
+    /// What it plays.
+    pub script: &'a FinishedScript,
     /// Bytes of a packet that comes from the core.
     pub packet_bytes: u32,
     /// Bits of its first two words that name what it answers.
@@ -149,11 +147,12 @@ impl Bench<'_> {
     }
 
     fn parameters(&self) -> String {
-        let Self { words, bus, packet_bytes, end_mask, .. } = self;
+        let Self { bus, packet_bytes, end_mask, .. } = self;
+        let FinishedScript { words, answers, .. } = self.script;
         let name = self.top.top();
         let [first, second] = [self.name_mask as u32, (self.name_mask >> 32) as u32];
         let mut text = format!(
-            "    localparam WORDS = {words};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
+            "    localparam WORDS = {words}, ANSWERS = {answers};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
              localparam FILE = \"{name}_test.hex\";\n    \
              localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {};\n    \
              localparam [31:0] NAME_MASK = 32'h{first:x}, SECOND_NAME_MASK = 32'h{second:x}, END_MASK = 32'h{end_mask:x};\n",
@@ -162,8 +161,8 @@ impl Bench<'_> {
             packet_bytes / 4,
             self.events.len(),
         );
-        if let Some(Buffer { tiles, pixel_beats, pages }) = &self.buffer {
-            text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats}, PAGES = {pages};\n");
+        if let Some(Buffer { tiles, pixel_beats }) = &self.buffer {
+            text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
         }
         text
     }

@@ -37,11 +37,11 @@ const END_MASK: u32 = 1;
 /// # Errors
 /// The golden model is stuck.
 pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, SearchError> {
-    let (words, vectors) = search_script::script(config)?.finish();
+    let script = search_script::script(config)?.finish();
     let bench = Bench {
         top,
         bus: config.bus,
-        words,
+        script: &script,
         packet_bytes: Layout::record::<CachedResult>(config).packet_bytes(config.bus.stream_bits),
         name_mask: (1 << config.index_bits) - 1,
         end_mask: 0,
@@ -54,7 +54,7 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         has_window: config.tree_cache == 0,
         buffer: None,
     };
-    Ok(AxiTest { text: bench.text(), vectors })
+    Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
 
 /// The test of the point processor.
@@ -62,12 +62,12 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
 /// # Errors
 /// The golden model is stuck.
 pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, SearchError> {
-    let (words, vectors) = points_script::script(config)?.finish();
+    let script = points_script::script(config)?.finish();
     let has_tree = config.search.tree_cache > 0;
     let bench = Bench {
         top,
         bus: config.search.bus,
-        words,
+        script: &script,
         packet_bytes: Layout::record::<Outcome>(&config.process).packet_bytes(config.search.bus.stream_bits),
         name_mask: (1 << config.process.index_bits) - 1,
         end_mask: 0,
@@ -79,7 +79,7 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
         has_window: !has_tree,
         buffer: None,
     };
-    Ok(AxiTest { text: bench.text(), vectors })
+    Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
 
 /// The test of the renderer.
@@ -87,12 +87,12 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
 /// # Errors
 /// A frame does not come to its end.
 pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Result<AxiTest, LockstepError> {
-    let (words, vectors) = splat_script::script(config, core)?.finish();
+    let script = splat_script::script(config, core)?.finish();
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
     let bench = Bench {
         top,
         bus: config.bus,
-        words,
+        script: &script,
         packet_bytes: Layout::record::<Fragment>(config).packet_bytes(config.bus.stream_bits),
         name_mask: splat_script::tile_mask(config),
         end_mask: END_MASK,
@@ -102,8 +102,7 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         buffer: Some(Buffer {
             tiles: config.buffer_tiles() as u32,
             pixel_beats: stride / (config.bus.memory_bits / 8),
-            pages: splat_script::PAGES,
         }),
     };
-    Ok(AxiTest { text: bench.text(), vectors })
+    Ok(AxiTest { text: bench.text(), vectors: script.text })
 }

@@ -24,6 +24,16 @@ pub fn words(bytes: &[u8]) -> Vec<u32> {
     bytes.chunks(4).map(|word| word.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))).collect()
 }
 
+/// A script as a bench plays it.
+pub struct FinishedScript {
+    /// Its words.
+    pub words: usize,
+    /// Answers that it expects at a time at most.
+    pub answers: usize,
+    /// The words as `$readmemh` reads them.
+    pub text: String,
+}
+
 /// A script as it grows.
 pub struct Script {
     data: Vec<u32>,
@@ -33,6 +43,8 @@ pub struct Script {
     reads: u32,
     sent: u32,
     received: u32,
+    /// Answers that were expected at a time at most.
+    answers_max: usize,
     /// What the error counters hold, apart from what the bench counts.
     errors: HashMap<ErrorCounter, u32>,
     memory_is_spoilt: bool,
@@ -51,6 +63,7 @@ impl Script {
             reads: 0,
             sent: 0,
             received: 0,
+            answers_max: 0,
             errors: HashMap::new(),
             memory_is_spoilt: false,
             random: Rng::with_seed(seed),
@@ -221,6 +234,7 @@ impl Script {
     /// Expects packets: of each answer some, as they lie from a place on.
     pub fn expect(&mut self, answers: &[(u32, u32)]) {
         let operands: Vec<u32> = answers.iter().flat_map(|&(place, packets)| [place, packets]).collect();
+        self.answers_max = self.answers_max.max(answers.len());
         self.received += answers.iter().map(|(_, packets)| packets).sum::<u32>();
         self.operation(9, answers.len() as u32, &operands);
     }
@@ -300,14 +314,14 @@ impl Script {
         self.operation(34, 0, &[base]);
     }
 
-    /// The number of words, and the script as `$readmemh` reads it.
-    pub fn finish(mut self) -> (usize, String) {
+    /// The whole script.
+    pub fn finish(mut self) -> FinishedScript {
         let totals = [self.writes, self.reads, self.sent, self.received];
         self.operation(0, 0, &totals);
         let header = [MAGIC, (HEADER_WORDS + self.data.len()) as u32];
         let words: Vec<u32> = header.into_iter().chain(self.data).chain(self.operations).collect();
         let mut text = String::new();
         words.iter().for_each(|word| writeln!(text, "{word:x}").expect("a string can be written"));
-        (words.len(), text)
+        FinishedScript { words: words.len(), answers: self.answers_max, text }
     }
 }

@@ -1,4 +1,6 @@
-    // The reconstruction buffer: a page for each tile that is written, and which of its pixels have been.
+    // The reconstruction buffer: a page for each tile that is written, and which of its pixels have been. A tile that is written has
+    // fragments, an answer of its own for each frame.
+    localparam PAGES = ANSWERS;
     localparam TILE_BYTES = 64 * PIXEL_BEATS * (MEMORY_BITS / 8);
     reg [31:0] buffer_base = 32'd0;
     reg [PIXEL_BEATS*MEMORY_BITS-1:0] pixels [0:64*PAGES-1];

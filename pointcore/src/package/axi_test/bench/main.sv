@@ -164,8 +164,8 @@
 
     // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
-    integer answer_next [0:127];
-    integer answer_packets [0:127];
+    integer answer_next [0:ANSWERS-1];
+    integer answer_packets [0:ANSWERS-1];
     integer answers = 0, packets_left = 0, packets_received = 0, receive_beat = 0, found, frame_packets;
     reg [32*PACKET_WORDS-1:0] packet;
     reg received_packet = 1'b0;

@@ -12,8 +12,6 @@ use pointcore_tb::lockstep::LockstepError;
 
 /// Tiles with splats: more than the core keeps, so that some leave for memory and come back.
 const TILES: usize = 7;
-/// Tiles that a frame may touch, those beside the splats' own among them.
-pub const PAGES: u32 = 64;
 /// Half a splat's size, and how far it lies from the middle of its tile at most.
 const RADIUS_PX: f64 = 1.2;
 const OFFSET_PX: f64 = 2.0;

@@ -3,8 +3,6 @@
 mod frames;
 mod runs;
 
-pub use frames::PAGES;
-
 use super::operations::Pauses;
 use super::registers;
 use super::script::Script;
