@@ -1,7 +1,8 @@
 //! What hardware for a scene may take.
 
-use super::{Failure, estimator, load, warn};
+use super::{Failure, load, warn};
 use pointcore::area::device::{Device, Needs};
+use pointcore::area::estimate::Estimator;
 use pointcore::cost::budget::{Budget, BudgetError, Budgeted, Candidate};
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
@@ -26,8 +27,13 @@ impl BudgetArguments {
         self.device.is_some() || self.luts.is_some()
     }
 
-    /// Loads a scene and derives its hardware; within a budget, tells what was tried, too.
-    pub fn load(&self, path: &Path, settings: &[String]) -> Result<(Scene, Plan, Vec<Candidate>), Failure> {
+    /// Loads a scene and derives its hardware; within a budget, which look-up tables are estimated for, tells what was tried, too.
+    pub fn load(
+        &self,
+        path: &Path,
+        settings: &[String],
+        estimator: impl FnOnce() -> Result<Estimator, Failure>,
+    ) -> Result<(Scene, Plan, Vec<Candidate>), Failure> {
         let Self { device, luts } = *self;
         if !self.is_limited() {
             return load(path, settings).map(|(scene, plan)| (scene, plan, vec![]));

@@ -1,7 +1,7 @@
 //! `pointcore gen SCENE|CONFIG -o DIR`.
 
 use super::budget::BudgetArguments;
-use super::{Failure, Output, scene_name, write};
+use super::{Failure, Output, estimator, scene_name, write};
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
 use pointcore::scene::Model;
@@ -36,7 +36,7 @@ const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 
 /// The hardware for a scene.
 fn planned(arguments: &Arguments) -> Result<Configuration, Failure> {
-    let (_, plan, _) = arguments.budget.load(&arguments.source, &arguments.settings)?;
+    let (_, plan, _) = arguments.budget.load(&arguments.source, &arguments.settings, estimator)?;
     Ok(Configuration::Splat(plan.config))
 }
 

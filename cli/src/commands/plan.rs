@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let [path] = &arguments.scenes[..] else {
         return Err(Failure::Usage("several scenes go with --table".to_owned()));
     };
-    let (scene, plan, candidates) = arguments.budget.load(path, &arguments.settings)?;
+    let (scene, plan, candidates) = arguments.budget.load(path, &arguments.settings, || arguments.estimator())?;
     let (text, document) = explain(arguments, path, &scene, &plan, &candidates)?;
     output.print(&document, &text)
 }
