@@ -2,14 +2,14 @@
 
 use crate::scene::Scene;
 use crate::shading;
-use pointcore_golden::reference::motion::{self, Exposed, Interval, Method, Setting, Shutter};
+use pointcore_golden::reference::motion::{self, Exposed, Interval, Method, MovingSplat, Setting, Shutter};
 use pointcore_golden::reference::{Mapping, render};
 
 pub use pointcore_golden::reference::motion::Exposure;
 
-/// Exposes a scene by a method; `row_done` is called whenever a row of its samples is done.
+/// Exposes a scene, whose splats move so, by a method; `row_done` is called whenever a row of its samples is done.
 #[must_use]
-pub fn by_method(scene: &Scene, method: Method, row_done: &(dyn Fn() + Sync)) -> Exposure {
+pub fn by_method(scene: &Scene, splats: &[MovingSplat], method: Method, row_done: &(dyn Fn() + Sync)) -> Exposure {
     let setting = Setting {
         camera: &scene.camera,
         rendering: &scene.rendering,
@@ -17,7 +17,7 @@ pub fn by_method(scene: &Scene, method: Method, row_done: &(dyn Fn() + Sync)) ->
         shade: &shading::colors(scene, &scene.camera),
         row_done,
     };
-    motion::expose(&scene.moving_splats(), method, &setting)
+    motion::expose(splats, method, &setting)
 }
 
 /// Exposes a scene as the mean of so many still frames, each for an equal part of the exposure, from its middle: temporal supersampling, which many

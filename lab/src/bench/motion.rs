@@ -78,7 +78,9 @@ pub fn figures(folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
         }
         let methods = METHODS.map(|method| {
             note!("{name}: {method}");
-            Measured::new(&truth, || shading::exposed(&by_method(&scene, method, &|| ()), &scene))
+            Measured::new(&truth, || {
+                shading::exposed(&by_method(&scene, &scene.moving_splats(), method, &|| ()), &scene)
+            })
         });
         let equal: Vec<_> = methods
             .iter()

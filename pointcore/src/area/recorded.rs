@@ -156,6 +156,7 @@ impl std::fmt::Display for Clock {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::area::device::{Device, Shortage};
     use crate::search::SearchCore;
     use pointcore_contract::search::Config;
 
@@ -188,11 +189,11 @@ mod tests {
         }
         let core = SearchCore::generate(&knn()).expect("the configuration is valid");
         let counted = Needs::counted(&core.design, None);
-        let small: super::super::device::Device = "12f".parse().expect("a device");
+        let small: Device = "12f".parse().expect("a device");
         let shortages = counted.shortages(&small);
-        assert!(shortages.iter().any(super::super::device::Shortage::is_of_block_ram), "{shortages:?}");
+        assert!(shortages.iter().any(Shortage::is_of_block_ram), "{shortages:?}");
         let large = "LFE5U-85F".parse().expect("a device");
         assert_eq!(counted.shortages(&large), []);
-        assert!("85G".parse::<super::super::device::Device>().unwrap_err().contains("XC7A35T"));
+        assert!("85G".parse::<Device>().unwrap_err().contains("XC7A35T"));
     }
 }

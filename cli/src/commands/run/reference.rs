@@ -56,20 +56,21 @@ pub(super) fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> 
 /// The picture of a moving scene, unless it is blank, and how it came about.
 fn exposed(scene: &Scene, motion: &Motion, samples_in_time: Option<usize>) -> (Option<Picture>, Value) {
     let begin = Instant::now();
+    let moving = scene.moving_splats();
     let done = AtomicU64::new(0);
     let total = samples_in_time.unwrap_or(scene.rendering.height) as u64;
     let exposure = with_count("exposing", total, |progress| {
         let step = || progress(done.fetch_add(1, Ordering::Relaxed) + 1);
         match samples_in_time {
             Some(count) => exposure::by_samples(scene, count, &step),
-            None => exposure::by_method(scene, motion.method, &step),
+            None => exposure::by_method(scene, &moving, motion.method, &step),
         }
     });
     let method = samples_in_time.map_or_else(|| motion.method.to_string(), |count| format!("{count} samples in time"));
     let about = json!({
         "method": method,
         "splats": scene.splats.len(),
-        "parts": scene.moving_splats().len(),
+        "parts": moving.len(),
         "coverage": exposure.samples.iter().map(|sample| sample.coverage).sum::<f64>() / exposure.samples.len() as f64,
         "seconds": begin.elapsed().as_secs_f64(),
     });

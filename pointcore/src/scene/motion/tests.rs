@@ -128,7 +128,9 @@ fn exact_pictures_of_shipped_scenes_are_near_the_truth() {
         settings.extend((0..objects).map(|index| format!("object.{index}.points=1200")));
         let scene = Scene::load(&path, &settings).unwrap_or_else(|error| panic!("{error}"));
         let truth = shading::exposed(&by_samples(&scene, 64, &|| ()), &scene);
-        let psnr_db = |method| shading::exposed(&by_method(&scene, method, &|| ()), &scene).psnr_db(&truth);
+        let psnr_db = |method| {
+            shading::exposed(&by_method(&scene, &scene.moving_splats(), method, &|| ()), &scene).psnr_db(&truth)
+        };
         assert!(psnr_db(Method::Exact) > least_db, "{name}: {}", psnr_db(Method::Exact));
         assert!(psnr_db(Method::Bins(8)) > psnr_db(Method::Bins(1)), "{name}");
     }
