@@ -48,6 +48,7 @@ pub fn ports(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// * `#[port("…")]` the name on the ports, where that is not the field's own; empty for the record's fields alone;
 /// * `#[flag("…")]` what a pulse's `valid` is called;
 /// * `#[when(…)]` whether it is there at all; on the struct, whether the unit is;
+/// * `#[count(…)]` how many streams there are of an array, `[In<R>; 4]`: the first is named as the field, the next `NAME_1`;
 /// * `#[with(…)]` what its record depends on, a reference, where that is not `config`.
 ///
 /// Makes a module of the struct's name in small letters: `In` and `Out` for models, `PORTS` for hardware, `UNIT` for lists.

@@ -2,7 +2,10 @@
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use syn::{Error, Field, Fields, GenericArgument, Ident, ItemStruct, LitStr, PathArguments, Result, Type};
+use syn::{
+    Error, Expr, ExprLit, Field, Fields, GenericArgument, Ident, ItemStruct, Lit, LitStr, PathArguments, Result, Type,
+    TypeArray,
+};
 
 use crate::annotation::{Annotations, RecordArguments, UnitArguments};
 use crate::record::word;
@@ -52,7 +55,17 @@ pub(crate) struct Port<'a> {
     kind: Kind,
     kind_name: &'a Ident,
     record: &'a Type,
+    /// Groups of such ports at most, where there may be several: `[In<R>; 4]`.
+    most: Option<usize>,
     annotations: Annotations,
+}
+
+/// How many an array type says.
+fn length(array: &TypeArray) -> Result<usize> {
+    match &array.len {
+        Expr::Lit(ExprLit { lit: Lit::Int(length), .. }) => length.base10_parse(),
+        other => Err(Error::new_spanned(other, "expected a number: names are made of it")),
+    }
 }
 
 impl<'a> Port<'a> {
@@ -60,7 +73,11 @@ impl<'a> Port<'a> {
     pub fn of(field: &'a Field) -> Result<Self> {
         let Some(ident) = &field.ident else { return Err(Error::new_spanned(field, "a unit's ports have names")) };
         let expected = || Error::new_spanned(&field.ty, "expected a kind of port with its record: In<R>");
-        let Type::Path(path) = &field.ty else { return Err(expected()) };
+        let (ty, most) = match &field.ty {
+            Type::Array(array) => (&*array.elem, Some(length(array)?)),
+            ty => (ty, None),
+        };
+        let Type::Path(path) = ty else { return Err(expected()) };
         let segment = path.path.segments.last().ok_or_else(expected)?;
         let PathArguments::AngleBracketed(arguments) = &segment.arguments else { return Err(expected()) };
         let Some(GenericArgument::Type(record)) = arguments.args.first() else { return Err(expected()) };
@@ -70,7 +87,24 @@ impl<'a> Port<'a> {
         }
         let name = annotations.port.clone().unwrap_or_else(|| LitStr::new(&ident.to_string(), ident.span()));
         let kind = Kind::of(&segment.ident)?;
-        Ok(Self { field: ident, name, kind, kind_name: &segment.ident, record, annotations })
+        if most.is_some() != annotations.count.is_some() {
+            return Err(Error::new_spanned(ident, "several groups need both: [In<R>; 4] and #[count(…)]"));
+        }
+        if most.is_some() && !kind.has_ready() {
+            return Err(Error::new_spanned(&field.ty, "only streams come in several groups"));
+        }
+        Ok(Self { field: ident, name, kind, kind_name: &segment.ident, record, most, annotations })
+    }
+
+    /// What the groups are called: the first without a number, so that it is the same where there is but one.
+    fn names(&self) -> Vec<LitStr> {
+        let numbered = |number: usize| LitStr::new(&format!("{}_{number}", self.name.value()), self.name.span());
+        std::iter::once(self.name.clone()).chain((1..self.most.unwrap_or(1)).map(numbered)).collect()
+    }
+
+    /// A type or a value for each group, or for the only one.
+    fn each(&self, ty: &TokenStream) -> TokenStream {
+        self.most.map_or(quote!(#ty), |most| quote!([#ty; #most]))
     }
 
     fn ready(&self) -> Ident {
@@ -82,16 +116,20 @@ impl<'a> Port<'a> {
         let (field, record, docs) = (self.field, self.record, &self.annotations.documentation);
         if self.kind.comes_in() == inputs {
             let ty = if self.kind.has_valid() { quote!(::std::option::Option<#record>) } else { quote!(#record) };
+            let ty = self.each(&ty);
             return Some(quote!(#(#docs)* pub #field: #ty));
         }
         let ready = self.ready();
         let doc = format!("Whether `{}` moves in this cycle.", self.name.value());
-        self.kind.has_ready().then(|| quote!(#[doc = #doc] pub #ready: bool))
+        let ty = self.each(&quote!(bool));
+        self.kind.has_ready().then(|| quote!(#[doc = #doc] pub #ready: #ty))
     }
 
     fn visit(&self, inputs: bool) -> Option<TokenStream> {
         let (field, config) = (self.field, self.annotations.config());
-        let visited = if self.kind.comes_in() == inputs {
+        let visited = if self.most.is_some() {
+            self.visit_each(inputs)
+        } else if self.kind.comes_in() == inputs {
             match (self.kind.has_valid(), word(self.record)) {
                 (true, _) => quote!(::pointcore_contract::visit_optional(&mut self.#field, #config, visitor);),
                 (false, Some(word)) => quote!(visitor.bits::<#word>(&mut self.#field);),
@@ -106,6 +144,20 @@ impl<'a> Port<'a> {
         Some(self.only_when(&visited))
     }
 
+    /// The groups that a configuration has.
+    fn visit_each(&self, inputs: bool) -> TokenStream {
+        let (field, config, count) = (self.field, self.annotations.config(), &self.annotations.count);
+        if self.kind.comes_in() == inputs {
+            return quote! {
+                for group in &mut self.#field[..(#count) as usize] {
+                    ::pointcore_contract::visit_optional(group, #config, visitor);
+                }
+            };
+        }
+        let ready = self.ready();
+        quote!(self.#ready[..(#count) as usize].iter_mut().for_each(|ready| visitor.bits::<bool>(ready));)
+    }
+
     fn only_when(&self, then: &TokenStream) -> TokenStream {
         match &self.annotations.when {
             Some(condition) => quote!(if #condition { #then }),
@@ -115,13 +167,13 @@ impl<'a> Port<'a> {
 
     /// What stands in its place in the description for hardware.
     pub fn descriptor(&self) -> (TokenStream, TokenStream) {
-        let (field, kind, record, name) = (self.field, self.kind_name, self.record, &self.name);
+        let (field, kind, record, names) = (self.field, self.kind_name, self.record, self.names());
         let docs = &self.annotations.documentation;
         let (doc, flag) = (self.annotations.text(), self.flag());
-        (
-            quote!(#(#docs)* pub #field: ::pointcore_contract::unit::#kind<#record>),
-            quote!(#field: ::pointcore_contract::unit::#kind::new(#name, #flag, #doc)),
-        )
+        let ty = self.each(&quote!(::pointcore_contract::unit::#kind<#record>));
+        let values = quote!(#(::pointcore_contract::unit::#kind::new(#names, #flag, #doc)),*);
+        let value = if self.most.is_some() { quote!([#values]) } else { values };
+        (quote!(#(#docs)* pub #field: #ty), quote!(#field: #value))
     }
 
     fn flag(&self) -> LitStr {
@@ -131,8 +183,9 @@ impl<'a> Port<'a> {
     /// Its group in lists.
     pub fn describe(&self) -> Result<TokenStream> {
         let config = self.annotations.config();
-        let (name, doc, flag, kind, record) =
-            (&self.name, self.annotations.text(), self.flag(), self.kind_name, self.record);
+        let (names, doc, flag, kind, record) =
+            (self.names(), self.annotations.text(), self.flag(), self.kind_name, self.record);
+        let count = self.annotations.count.as_ref().map_or(quote!(1), |count| quote!((#count) as usize));
         let fields = match (word(record), &self.annotations.bits) {
             (Some(word), None) if word != "bool" => {
                 return Err(Error::new_spanned(word, "say how many bits it has: #[bits(…)]"));
@@ -146,15 +199,15 @@ impl<'a> Port<'a> {
             (None, _) => quote!(::pointcore_contract::fields::<#record>(#config)),
         };
         Ok(self.only_when(&quote! {
-            groups.push(::pointcore_contract::unit::Group {
-                name: #name,
+            groups.extend([#(#names),*].into_iter().take(#count).map(|name| ::pointcore_contract::unit::Group {
+                name,
                 channel: ::std::option::Option::None,
                 doc: #doc,
                 flag: #flag,
                 record: ::std::stringify!(#record),
                 kind: ::pointcore_contract::unit::Kind::#kind,
                 fields: #fields,
-            });
+            }));
         }))
     }
 }
