@@ -42,7 +42,7 @@ module splat_top (
     output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire fragment_valid, input wire fragment_ready,  // Fragments of the image.
+    output wire fragment_valid, input wire fragment_ready,  // Fragments of the image, each of one stream; a frame ends when all streams have ended it.
     output wire fragment_end,  // Closes the frame.
     output wire [6:0] fragment_column,  // Column of the image.
     output wire [6:0] fragment_row,  // Row of the image.

@@ -148,8 +148,10 @@ fn aborted_run(host: &mut SplatHost, config: &Config, splats: &[Splat], random: 
 
 #[test]
 fn frames_on_the_bus_are_those_of_the_model() {
-    let widths = [(64, 64), (32, 512), (512, 32), (64, 128)];
-    for (config, (stream_bits, memory_bits)) in configs().into_iter().chain(fixed_configs()).zip(widths) {
+    let widths = [(64, 64), (32, 512), (512, 32), (64, 128), (128, 64)];
+    let [bare, ..] = configs();
+    let several = Config { rasterizers: 4, memory_ports: 4, ..bare };
+    for (config, (stream_bits, memory_bits)) in configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frames = frames(&config);
         let expected = expected(&config, &frames);

@@ -63,7 +63,7 @@ fn renderers_come_to_their_end_whatever_is_held() {
     for seed in seeds(CONFIGURATIONS).unwrap() {
         let device = device(Core::Splat, seed);
         let AnyConfig::Splat(config) = AnyConfig::random(Core::Splat, &mut Rng::with_seed(seed)) else { unreachable!() };
-        check(seed, renderer::STREAMS, |paces| {
+        check(seed, renderer::streams(&config), |paces| {
             let script = extent::renderer(&config, &mut Rng::with_seed(seed));
             let script = renderer::Script { paces, latency: LATE, resets: vec![], ..script };
             let ran = device.render(script, seed, "this test");

@@ -1,80 +1,72 @@
-//! `splat_collector` against its model, in every cycle.
+//! `splat_collector` and `splat_fragment_collector` against their model, in every cycle.
 
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, StoredPixel};
-use pointcore_contract::splat::config::RUN_PIXELS_MAX;
+use pointcore_contract::splat::records::{FinishedPixel, Fragment};
 use pointcore_contract::splat::{Config, units};
-use pointcore_contract::{read, words};
-use pointcore_golden::splat::Collector;
-use pointcore_golden::unit::Ported;
+use pointcore_contract::{Unit, read, words};
+use pointcore_golden::splat::{Collector, FragmentCollector};
+use pointcore_golden::unit::{Model, Ported};
 use pointcore_hdl::splat::collector;
-use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
+use pointcore_tb::lockstep::{StreamTestbench, seeds};
+use rtl::Module;
 
 use crate::splat::{Device, RUNS, Travels, configs, scene, stalls};
 
-/// Of a side.
-const READS: u32 = 120;
-const WRITES: u32 = 700;
-const PIXELS: usize = 600;
-/// Pixels of a side's frame, its end among them.
+/// Records of a side.
+const RECORDS: usize = 600;
+/// Those of its frame, the end among them.
 const FRAME: usize = 150;
 
-/// Records of noise, as words.
-fn noise<R: Travels>(config: &Config, count: usize, mut change: impl FnMut(usize, &mut R)) -> Vec<Vec<u64>> {
-    let mut random = scene::random();
-    let record = |index| {
-        let mut record = scene::noise(config, &mut random);
-        change(index, &mut record);
-        words(config, record)
-    };
-    (0..count).map(record).collect()
-}
+/// Two sides' records, of which every so many ends a frame, through a collector: frames end when both sides have, and nothing is lost.
+fn check<R: Travels, M: Model<Config = Config>>(
+    config: &Config,
+    (module, unit): (&Module, &Unit<Config>),
+    model: &M,
+    end: impl Fn(&mut R) -> &mut bool,
+) {
+    let device = Device::new(config, module, unit);
+    for seed in seeds(RUNS).unwrap() {
+        let mut random = scene::random();
+        let mut records = |side: usize| -> Vec<Vec<u64>> {
+            // A side's frames differ in length from the other's.
+            let is_end = |index: usize| index % FRAME == FRAME - 1 - side * (index / FRAME);
+            let last = (0..RECORDS).rfind(|&index| is_end(index)).expect("frames end");
+            let record = |index| {
+                let mut record: R = scene::noise(config, &mut random);
+                *end(&mut record) = is_end(index);
+                words(config, record)
+            };
+            (0..=last).map(record).collect()
+        };
+        let [low, high] = [0, 1].map(&mut records);
+        let bench = StreamTestbench::new(device.library(), seed);
+        let bench = bench.source("low", low.clone(), stalls(seed)).unwrap();
+        let bench = bench.source("high", high.clone(), stalls(seed + 1)).unwrap();
+        let bench = bench.sink("out", stalls(seed + 2)).unwrap();
+        let model = Ported::new(config, model.clone());
+        let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
 
-/// Runs of pixels of tiles that tell the side by their lowest bit.
-fn runs(side: u32) -> impl Iterator<Item = PixelRun> {
-    let count = move |number: u32| ((number * (5 + side)) % RUN_PIXELS_MAX) as u8 + 1;
-    (0..READS).map(move |number| PixelRun { surface: number % 3 == 0, tile: 2 * (number % 8) + side, pixel: 0, count: count(number) })
+        let is_end = |words: &[u64]| *end(&mut read::<R>(config, words));
+        let frames = |records: &[Vec<u64>]| -> Vec<Vec<Vec<u64>>> {
+            let frames = records.split_inclusive(|record| is_end(record));
+            frames.map(|frame| frame[..frame.len() - 1].to_vec()).collect()
+        };
+        let [low, high, out] = [&low, &high, run.stimulus.collected("out")].map(|records| frames(records));
+        assert_eq!((low.len(), high.len(), out.len()), (RECORDS / FRAME, RECORDS / FRAME, RECORDS / FRAME));
+        for ((low, high), mut out) in low.into_iter().zip(high).zip(out) {
+            let mut expected = [low, high].concat();
+            expected.sort_unstable();
+            out.sort_unstable();
+            assert!(out == expected, "seed {seed}: a frame is not that of both sides");
+        }
+    }
 }
 
 #[test]
-fn it_agrees_with_the_model_and_nothing_is_lost() {
+fn they_agree_with_the_model_and_frames_are_those_of_both_sides() {
     for config in configs() {
-        let device = Device::new(&config, &collector::module(&config), &units::collector::UNIT);
-        let pixels: usize = runs(0).chain(runs(1)).map(|run| usize::from(run.count)).sum();
-        let data = noise::<Pixel>(&config, pixels, |_, _| {});
-        let mut waited = false;
-        for seed in seeds(RUNS).unwrap() {
-            let mut bench = StreamTestbench::new(device.library(), seed).source("data", data.clone(), stalls(seed)).unwrap();
-            for (side, name) in (0..).zip(["low", "high"]) {
-                let end = |index, pixel: &mut FinishedPixel| pixel.end = index % FRAME == FRAME - 1;
-                let mark = |_, pixel: &mut StoredPixel| pixel.placed.tile = pixel.placed.tile & !1 | side;
-                let of = |what: &str| format!("{name}_{what}");
-                let pattern = stalls(seed + u64::from(side));
-                bench = bench.source(&of("read"), runs(side).map(|run| words(&config, run)).collect(), Stall::Random(0.9)).unwrap();
-                bench = bench.source(&of("write"), noise(&config, WRITES as usize, mark), pattern).unwrap();
-                bench = bench.source(&of("pixel"), noise(&config, PIXELS, end), pattern).unwrap();
-                bench = bench.sink(&of("data"), pattern).unwrap();
-            }
-            for name in ["read", "write", "pixel"] {
-                bench = bench.sink(name, stalls(seed + 2)).unwrap();
-            }
-            let model = Ported::new(&config, Collector::default());
-            let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
-
-            let collected = |name: &str| run.stimulus.collected(name);
-            let runs = collected("read").iter().map(|words| read::<PixelRun>(&config, words));
-            let (sides, counts): (Vec<u32>, Vec<u8>) = runs.map(|run| (run.tile & 1, run.count)).unzip();
-            let owners = sides.iter().zip(&counts).flat_map(|(side, count)| vec![*side; usize::from(*count)]);
-            let owners: Vec<u32> = owners.collect();
-            assert_eq!(sides.len(), 2 * READS as usize);
-            waited |= sides.windows(3).any(|sides| sides == [0, 0, 1]) && sides.windows(3).any(|sides| sides == [1, 0, 1]);
-            for (side, name) in (0..).zip(["low_data", "high_data"]) {
-                let of_side = data.iter().zip(&owners).filter(|(_, owner)| **owner == side).map(|(pixel, _)| pixel);
-                assert!(collected(name).iter().eq(of_side), "{name}, seed {seed}");
-            }
-            assert_eq!(collected("write").len(), 2 * WRITES as usize);
-            let ends = collected("pixel").iter().filter(|words| read::<FinishedPixel>(&config, words).end).count();
-            assert_eq!((ends, collected("pixel").len()), (PIXELS / FRAME, 2 * PIXELS - PIXELS / FRAME));
-        }
-        assert!(waited, "requests of both sides come in one order only");
+        let pixels = (&collector::module::<FinishedPixel>(&config), &units::collector::UNIT);
+        check::<FinishedPixel, _>(&config, pixels, &Collector::default(), |pixel| &mut pixel.end);
+        let fragments = (&collector::module::<Fragment>(&config), &units::fragment_collector::UNIT);
+        check::<Fragment, _>(&config, fragments, &FragmentCollector::default(), |fragment| &mut fragment.end);
     }
 }

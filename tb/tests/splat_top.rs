@@ -56,7 +56,11 @@ fn is_seen_at_ports(alone: &SplatOutcome, lockstep: &SplatOutcome) {
 fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
     let [bare, _, mixed] = configs();
-    let several = [Config { rasterizers: 2, ..bare }, Config { rasterizers: 4, ..mixed }];
+    let several = [
+        Config { rasterizers: 2, ..bare.clone() },
+        Config { rasterizers: 2, memory_ports: 2, ..bare },
+        Config { rasterizers: 4, memory_ports: 2, ..mixed },
+    ];
     for config in configs().into_iter().chain([coarse, fixed, integers]).chain(several) {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));

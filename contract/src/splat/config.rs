@@ -48,6 +48,8 @@ pub const WRITE_QUEUE_DEPTH: u32 = 8;
 pub const DISTRIBUTED_COPIES: u32 = 16;
 /// Reads of which pixels are still to come, where several rasterizers share a memory.
 pub const COLLECTED_READS: u32 = 32;
+/// The most ports to the reconstruction buffer.
+pub const MEMORY_PORTS_MAX: u32 = 4;
 /// Bits of the counter of copies under way in one tile slot.
 pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.
@@ -149,6 +151,9 @@ configuration! {
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).
             rasterizers: u32 = 1, described("1, 2, 4, 8; no more than the image is wide in tiles, rounded up to a power of two"), User;
+            /// Ports to the reconstruction buffer, each of some of the rasterizers, with a normalizer and a stream of fragments of its own: a
+            /// pixel a cycle each way and a fragment a cycle for each.
+            memory_ports: u32 = 1, described("1, 2, 4; no more than `rasterizers`"), Input;
             /// Cycles a splat takes in the transform unit (initiation interval).
             transform_interval: u32 = 2, range(1, 16), Input;
             /// Cycles a splat takes in the setup unit (initiation interval).
@@ -194,6 +199,9 @@ impl Config {
                 rasterizers: self.rasterizers,
                 most: 2.max(columns),
             });
+        }
+        if ![1, 2, MEMORY_PORTS_MAX].contains(&self.memory_ports) || self.memory_ports > self.rasterizers {
+            return Err(ConfigError::MemoryPorts { ports: self.memory_ports, rasterizers: self.rasterizers });
         }
         if !self.width.is_multiple_of(self.sampling.columns()) {
             return Err(ConfigError::OddWidth(self.width));
@@ -302,6 +310,12 @@ impl Config {
     #[must_use]
     pub const fn rasterizer_bits(&self) -> u32 {
         self.rasterizers.ilog2()
+    }
+
+    /// Rasterizers that share a port to the reconstruction buffer.
+    #[must_use]
+    pub const fn rasterizers_a_port(&self) -> u32 {
+        self.rasterizers / self.memory_ports
     }
 
     /// Bits of a tile's place among those of its rasterizer: the lowest bits of its column say, with its row, only whose it is.

@@ -4,6 +4,7 @@
 //! it ports.
 
 pub mod accumulator;
+pub mod arbiter;
 pub mod attribute;
 pub mod collector;
 pub mod depth_test;
@@ -26,7 +27,8 @@ pub mod weighting;
 mod parts;
 
 pub use accumulator::Accumulator;
-pub use collector::Collector;
+pub use arbiter::Arbiter;
+pub use collector::{Collector, FragmentCollector};
 pub use depth_test::DepthTest;
 pub use distributor::Distributor;
 pub use heap::Heap;

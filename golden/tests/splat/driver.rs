@@ -9,7 +9,7 @@ use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
 use pointcore_contract::{Camera, Format, Rendering, Splat};
 use pointcore_golden::float;
 use pointcore_golden::splat::Latencies;
-use pointcore_golden::splat::top::{In, Top};
+use pointcore_golden::splat::top::{In, Out, Top};
 use pointcore_golden::unit::Model;
 use std::collections::VecDeque;
 
@@ -86,10 +86,10 @@ pub fn uniforms(config: &Config, camera: &Camera, rendering: &Rendering) -> Vec<
     uniform_formats(config).zip(numbers).map(word).collect()
 }
 
-/// The reconstruction buffer's memory: answers reads in order, each after the writes that came before it.
+/// The reconstruction buffer's memory: answers reads of a port in order, each after the writes that came before it.
 struct Memory {
     tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
-    beats: VecDeque<Pixel>,
+    beats: Vec<VecDeque<Pixel>>,
 }
 
 /// Whether a stream may move in this cycle; changes its mind rarely, so that queues fill and empty.
@@ -112,7 +112,9 @@ pub struct Bench {
     top: Top,
     memory: Memory,
     random: Option<Rng>,
-    gates: [Gate; 5],
+    splat_gate: Gate,
+    /// Of each port: data, read, write, fragment.
+    gates: Vec<[Gate; 4]>,
     /// Cycles run.
     pub cycles: u64,
     /// Pixels written to memory.
@@ -125,13 +127,18 @@ impl Bench {
             Stalls::None => None,
             Stalls::Random(seed) => Some(Rng::with_seed(seed)),
         };
+        let ports = 0..config.memory_ports;
         Self {
             config: config.clone(),
             top: Top::new(config, latencies),
             // Contents before the first write must not matter.
-            memory: Memory { tiles: vec![[GARBAGE; 64]; config.buffer_tiles()], beats: VecDeque::new() },
+            memory: Memory {
+                tiles: vec![[GARBAGE; 64]; config.buffer_tiles()],
+                beats: ports.clone().map(|_| VecDeque::new()).collect(),
+            },
             random,
-            gates: [(); 5].map(|()| Gate { open: true }),
+            splat_gate: Gate { open: true },
+            gates: ports.map(|_| [(); 4].map(|()| Gate { open: true })).collect(),
             cycles: 0,
             writes: 0,
         }
@@ -147,54 +154,65 @@ impl Bench {
     pub fn render(&mut self, frames: &[Vec<SplatRecord>]) -> Vec<Vec<Fragment>> {
         let end = SplatRecord { end: true, ..SplatRecord::default() };
         let mut splats = frames.iter().flat_map(|frame| frame.iter().copied().chain([end])).peekable();
-        let mut images = vec![Vec::new()];
+        let mut images = vec![Vec::new(); frames.len()];
+        // Frames that each port has ended.
+        let mut ended = vec![0; self.gates.len()];
         let mut patience = PATIENCE;
-        while images.len() <= frames.len() {
-            let [splat, data, read, write, fragment] = self.gates.each_mut().map(|gate| gate.step(&mut self.random));
+        while ended.iter().any(|ended| *ended < frames.len()) {
+            let splat = self.splat_gate.step(&mut self.random);
             let out = self.top.outputs();
-            let inputs = In {
-                uniform: None,
-                splat: if splat { splats.peek().copied() } else { None },
-                read_ready: read,
-                data: if data { self.memory.beats.front().copied() } else { None },
-                write_ready: write,
-                fragment_ready: fragment,
-            };
+            let mut inputs = In { splat: if splat { splats.peek().copied() } else { None }, ..In::default() };
+            for (port, gates) in self.gates.iter_mut().enumerate() {
+                let [data, read, write, fragment] = gates.each_mut().map(|gate| gate.step(&mut self.random));
+                inputs.read_ready[port] = read;
+                inputs.data[port] = if data { self.memory.beats[port].front().copied() } else { None };
+                inputs.write_ready[port] = write;
+                inputs.fragment_ready[port] = fragment;
+            }
             patience -= 1;
             if inputs.splat.is_some() && out.splat_ready {
                 splats.next();
                 patience = PATIENCE;
             }
-            if inputs.data.is_some() && out.data_ready {
-                self.memory.beats.pop_front();
-                patience = PATIENCE;
-            }
-            if let Some(read) = out.read.filter(|_| inputs.read_ready) {
-                let run = usize::from(read.pixel)..usize::from(read.pixel + read.count);
-                self.memory.beats.extend(&self.memory.tiles[buffer_tile(&self.config, read.surface, read.tile)][run]);
-            }
-            if let Some(StoredPixel { surface, placed }) = out.write.filter(|_| inputs.write_ready) {
-                self.memory.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] =
-                    placed.value;
-                self.writes += 1;
-                patience = PATIENCE;
-            }
-            if let Some(fragment) = out.fragment.filter(|_| inputs.fragment_ready) {
-                patience = PATIENCE;
-                if fragment.end {
-                    images.push(Vec::new());
-                } else {
-                    images.last_mut().expect("there is an image from the start on").push(fragment);
+            for (port, ended) in ended.iter_mut().enumerate() {
+                if self.exchange(port, &inputs, &out) {
+                    patience = PATIENCE;
+                }
+                if let Some(fragment) = out.fragment[port].filter(|_| inputs.fragment_ready[port]) {
+                    patience = PATIENCE;
+                    if fragment.end {
+                        *ended += 1;
+                    } else {
+                        images[*ended].push(fragment);
+                    }
                 }
             }
             self.top.clock(&inputs);
             self.cycles += 1;
             assert!(patience > 0, "the core is stuck in cycle {}: {:?}", self.cycles, self.top.outputs());
         }
-        images.pop();
         // Tiles leave in an order that depends on stalls.
         images.iter_mut().for_each(|image| image.sort_by_key(|fragment| (fragment.row, fragment.column)));
         images
+    }
+
+    /// A port's cycle at the memory; whether pixels move.
+    fn exchange(&mut self, port: usize, inputs: &In, out: &Out) -> bool {
+        let Memory { tiles, beats } = &mut self.memory;
+        let comes = inputs.data[port].is_some() && out.data_ready[port];
+        if comes {
+            beats[port].pop_front();
+        }
+        if let Some(read) = out.read[port].filter(|_| inputs.read_ready[port]) {
+            let run = usize::from(read.pixel)..usize::from(read.pixel + read.count);
+            beats[port].extend(&tiles[buffer_tile(&self.config, read.surface, read.tile)][run]);
+        }
+        let write = out.write[port].filter(|_| inputs.write_ready[port]);
+        if let Some(StoredPixel { surface, placed }) = write {
+            tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] = placed.value;
+            self.writes += 1;
+        }
+        comes || write.is_some()
     }
 }
 

@@ -69,6 +69,8 @@ fn a_frame_depends_on_its_input_alone() {
         Config { rasterizers: 2, reorder: Reordering::Heap, ..config.clone() },
         Config { rasterizers: 4, tile_slots: 2, ..config.clone() },
         Config { rasterizers: 8, heap_levels: 3, ..config.clone() },
+        Config { rasterizers: 2, memory_ports: 2, ..config.clone() },
+        Config { rasterizers: 8, memory_ports: 4, tile_slots: 2, ..config.clone() },
         Config { splat_levels: 0, payload_beats: 8, ..config.clone() },
         Config { splat_levels: 2, payload_beats: 1, ..config.clone() },
     ];

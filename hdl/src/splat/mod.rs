@@ -2,6 +2,7 @@
 //! thesis section it implements.
 
 pub mod accumulator;
+pub mod arbiter;
 pub mod collector;
 pub mod depth_test;
 pub mod distributor;
@@ -23,6 +24,7 @@ mod parts;
 
 use crate::compiler::{CompileError, Options};
 use pointcore_contract::Unit;
+use pointcore_contract::splat::records::{FinishedPixel, Fragment};
 use pointcore_contract::splat::{Config, units};
 use rtl::Module;
 
@@ -30,7 +32,7 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last.
-pub const UNITS: [(&Unit<Config>, Describe); 17] = [
+pub const UNITS: [(&Unit<Config>, Describe); 19] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -45,8 +47,10 @@ pub const UNITS: [(&Unit<Config>, Describe); 17] = [
     (&units::depth_test::UNIT, |config| Ok(depth_test::module(config))),
     (&units::accumulator::UNIT, |config| Ok(accumulator::module(config))),
     (&units::lane::UNIT, |config| Ok(lane::lane(config, &Options::default())?.module)),
-    (&units::collector::UNIT, |config| Ok(collector::module(config))),
+    (&units::arbiter::UNIT, |config| Ok(arbiter::module(config))),
+    (&units::collector::UNIT, |config| Ok(collector::module::<FinishedPixel>(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
+    (&units::fragment_collector::UNIT, |config| Ok(collector::module::<Fragment>(config))),
     (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
 ];
 
@@ -101,7 +105,10 @@ mod tests {
     #[test]
     fn the_core_has_the_specified_ports_in_order() {
         let config = Config { cardinal: 1, ..Config::default() };
+        let several = Config { rasterizers: 4, memory_ports: 2, ..Config::default() };
         let (core, describe) = UNITS[UNITS.len() - 1];
-        check_in_order(&described(describe, &config), &core.ports(&config));
+        for config in [config, several] {
+            check_in_order(&described(describe, &config), &core.ports(&config));
+        }
     }
 }

@@ -221,13 +221,21 @@ mod tests {
         assert_eq!((free.plan.config.rasterizers, free.tried.len()), (8, 1), "{:?}", free.tried);
         let half = within(&[], luts(&free) / 2).expect("half of it is enough");
         let quarter = within(&[], luts(&free) / 4).expect("so is a quarter");
-        for (larger, smaller) in [(&free, &half), (&half, &quarter)] {
-            assert!(luts(smaller) <= luts(larger) / 2, "{:?}", smaller.tried);
+        for (larger, smaller, share) in [(&free, &half, 2), (&half, &quarter, 4)] {
+            assert!(luts(smaller) <= luts(&free) / share, "{:?}", smaller.tried);
             assert!(larger.tried.last().map(|tried| tried.cycles) < smaller.tried.last().map(|tried| tried.cycles));
-            let Config { rasterizers, transform_interval, setup_interval, heap_levels, splat_levels, .. } =
-                larger.plan.config;
+            let Config {
+                rasterizers,
+                memory_ports,
+                transform_interval,
+                setup_interval,
+                heap_levels,
+                splat_levels,
+                ..
+            } = larger.plan.config;
             let sizes = Config {
                 rasterizers,
+                memory_ports,
                 transform_interval,
                 setup_interval,
                 heap_levels,

@@ -20,7 +20,7 @@
 use crate::number::{decode, encode};
 use crate::scene::Scene;
 use crate::uniforms::uniforms;
-use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::config::{MEMORY_PORTS_MAX, TILE_SIZE};
 use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Sight, Splat as Record, SplatCopy};
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
@@ -42,6 +42,9 @@ const SAMPLES_TRIED: usize = 1 << 14;
 
 /// A share of the rasterizer's cycles: what transform and setup may take, as splats do not come evenly.
 const SHARE: f64 = 0.8;
+/// A share of the rasterizers' cycles: what the frame's pixels may take to leave, before which they go to memory and come back more
+/// than once.
+const PIXELS_SHARE: f64 = 0.5;
 /// More cycles a splat save next to nothing.
 const INTERVAL_MAX: u32 = 8;
 
@@ -156,11 +159,23 @@ impl Demand {
         }
     }
 
+    /// Pixels of the tiles that splats lie in, at most.
+    fn pixels(&self) -> usize {
+        self.tiles().map(|edge| (edge * TILE_SIZE) as usize).into_iter().product()
+    }
+
+    /// Ports to memory for so many rasterizers: as many as let the frame's pixels leave, one a cycle each, in no more than a share of
+    /// the time that samples take.
+    pub(super) fn memory_ports(&self, rasterizers: u32) -> u32 {
+        let cycles = PIXELS_SHARE * self.load.samples as f64 / f64::from(rasterizers);
+        let needed = (self.pixels() as f64 / cycles.max(1.0)).ceil() as u32;
+        needed.next_power_of_two().min(rasterizers).clamp(1, MEMORY_PORTS_MAX)
+    }
+
     /// Levels of copies whose samples take as long as the frame's pixels need to leave, one a cycle: once the last splat has come, it
     /// leaves while those are drawn.
     pub(super) fn copy_levels(&self) -> u32 {
-        let pixels = self.tiles().map(|edge| (edge * TILE_SIZE) as usize).into_iter().product::<usize>();
-        let copies = pixels * self.copies / self.load.samples.max(1);
+        let copies = self.pixels() * self.copies / self.load.samples.max(1);
         copies.max(1).next_power_of_two().ilog2().clamp(*COPY_LEVELS.start(), *COPY_LEVELS.end())
     }
 

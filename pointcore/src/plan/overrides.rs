@@ -58,8 +58,8 @@ mod tests {
 
     #[test]
     fn the_reference_marks_what_follows_from_the_scene() {
-        let effects =
-            Effect::ALL.map(Effect::key).into_iter().chain(["splat_levels", "transform_interval", "setup_interval"]);
+        let sizes = ["splat_levels", "transform_interval", "setup_interval", "memory_ports"];
+        let effects = Effect::ALL.map(Effect::key).into_iter().chain(sizes);
         let planned = SCENE_KEYS.map(|(key, _)| key).into_iter().chain(effects);
         let marked = Config::TABLES.iter().flat_map(|table| table.keys).filter(|key| key.set_by == SetBy::Input);
         assert_eq!(planned.collect::<BTreeSet<_>>(), marked.map(|key| key.name).collect());

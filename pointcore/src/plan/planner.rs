@@ -119,6 +119,7 @@ impl<'a> Planner<'a> {
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
         let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
         (config.transform_interval, config.setup_interval) = (interval, interval);
+        config.memory_ports = demand.memory_ports(config.rasterizers);
         let mut choices = choices(scene, &config, demand);
 
         config = overridden(&config, overrides)?;

@@ -67,8 +67,10 @@ pub struct SplatHost<'a> {
     stop_after: Option<u64>,
     inputs: In,
     sent: usize,
-    /// End records whose end fragment has not come yet.
-    open_frames: usize,
+    /// Frames that are sent, by their end records.
+    frames: usize,
+    /// By port: frames of which it has brought the end fragment.
+    ended: Vec<usize>,
     buffer: ReconstructionBuffer,
     /// Fragments as they came; end fragments are not among them.
     pub fragments: Vec<Fragment>,
@@ -96,7 +98,8 @@ impl<'a> SplatHost<'a> {
             stop_after: None,
             inputs: In::default(),
             sent: 0,
-            open_frames: frame.records.iter().filter(|record| record.end).count(),
+            frames: frame.records.iter().filter(|record| record.end).count(),
+            ended: vec![0; config.memory_ports as usize],
             buffer: ReconstructionBuffer::new(config, memory),
             fragments: Vec::new(),
             counters: SplatCounters::default(),
@@ -136,32 +139,37 @@ impl<'a> SplatHost<'a> {
         if cycle >= first_splat_cycle {
             self.offer(cycle, outputs);
         }
-        self.inputs.read_ready = !self.stalls.stalled();
-        self.inputs.write_ready = !self.stalls.stalled() && self.buffer.is_writable(cycle);
-        self.inputs.fragment_ready = !self.stalls.stalled();
+        for port in 0..self.ended.len() {
+            self.inputs.read_ready[port] = !self.stalls.stalled();
+            self.inputs.write_ready[port] = !self.stalls.stalled() && self.buffer.is_writable(cycle);
+            self.inputs.fragment_ready[port] = !self.stalls.stalled();
+        }
         Flow::Continue
     }
 
     /// Accounts for what moved in the cycle before; true when the last end fragment came.
     fn account(&mut self, cycle: u64, outputs: &Out) -> bool {
         self.sent += usize::from(self.inputs.splat.is_some() && outputs.splat_ready);
-        if let Some(read) = outputs.read.filter(|_| self.inputs.read_ready) {
-            self.buffer.request(read, cycle);
-        }
-        if self.inputs.data.is_some() && outputs.data_ready {
-            self.buffer.take();
-        }
-        if let Some(write) = outputs.write.as_ref().filter(|_| self.inputs.write_ready) {
-            self.buffer.write(write, cycle - 1);
-        }
         self.counters.events.add(&outputs.events);
-        let Some(fragment) = outputs.fragment.filter(|_| self.inputs.fragment_ready) else { return false };
-        if fragment.end {
-            self.open_frames -= 1;
-        } else {
-            self.fragments.push(fragment);
+        for (port, ended) in self.ended.iter_mut().enumerate() {
+            if let Some(read) = outputs.read[port].filter(|_| self.inputs.read_ready[port]) {
+                self.buffer.request(port, read, cycle);
+            }
+            if self.inputs.data[port].is_some() && outputs.data_ready[port] {
+                self.buffer.take(port);
+            }
+            if let Some(write) = outputs.write[port].as_ref().filter(|_| self.inputs.write_ready[port]) {
+                self.buffer.write(port, write, cycle - 1);
+            }
+            if let Some(fragment) = outputs.fragment[port].filter(|_| self.inputs.fragment_ready[port]) {
+                if fragment.end {
+                    *ended += 1;
+                } else {
+                    self.fragments.push(fragment);
+                }
+            }
         }
-        self.open_frames == 0
+        self.ended.iter().all(|ended| *ended == self.frames)
     }
 
     /// Offers the next record and the next pixel, unless the stalls hold them back; an offer once made stands.
@@ -170,8 +178,10 @@ impl<'a> SplatHost<'a> {
             let record = self.frame.records.get(self.sent).copied();
             self.inputs.splat = record.filter(|_| !self.stalls.stalled());
         }
-        if self.inputs.data.is_none() || outputs.data_ready {
-            self.inputs.data = self.buffer.offer(cycle).filter(|_| !self.stalls.stalled());
+        for port in 0..self.ended.len() {
+            if self.inputs.data[port].is_none() || outputs.data_ready[port] {
+                self.inputs.data[port] = self.buffer.offer(port, cycle).filter(|_| !self.stalls.stalled());
+            }
         }
     }
 }

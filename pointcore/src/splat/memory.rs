@@ -1,4 +1,4 @@
-//! The reconstruction buffer behind the renderer's memory port.
+//! The reconstruction buffer behind the renderer's memory ports.
 
 use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize};
 use pointcore_contract::splat::Config;
@@ -7,10 +7,8 @@ use pointcore_contract::splat::records::{Pixel, PixelRun, StoredPixel, buffer_ti
 
 /// Pixels of a tile.
 const PIXELS: usize = TILE_PIXELS as usize;
-/// The port of the reads, the memory's only one.
-const READS: usize = 0;
 
-/// Pixels that passed the port, and what they cost.
+/// Pixels that passed the ports, and what they cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BufferTraffic {
     /// Pixels read.
@@ -19,15 +17,15 @@ pub struct BufferTraffic {
     pub pixels_written: u64,
     /// Bytes that the memory moved for them, whole bursts.
     pub bytes: u64,
-    /// Cycles that this takes at the memory's bandwidth, and at that of the port, whichever are more.
+    /// Cycles that this takes at the memory's bandwidth, and at that of the busiest port, whichever are more.
     pub busy_cycles: u64,
 }
 
-/// External memory that holds tiles of pixels. Reads come back in order, one pixel a cycle at most; a read sees every write accepted
-/// before it.
+/// External memory that holds tiles of pixels. Reads of a port come back in order, one pixel a cycle at most; a read sees every write
+/// accepted before it.
 ///
-/// Without a bandwidth among its settings, a pixel a cycle goes each way. Else reads and writes share the bus: a read waits for it after
-/// the latency, a write is accepted when it is free.
+/// Without a bandwidth among its settings, a pixel a cycle goes each way at every port. Else reads and writes of all ports share the bus:
+/// a read waits for it after the latency, a write is accepted when it is free.
 #[derive(Clone)]
 pub struct ReconstructionBuffer {
     config: Config,
@@ -38,6 +36,12 @@ pub struct ReconstructionBuffer {
     memory: ExternalMemory<PixelRun>,
     /// The bus of the writes, where they have one of their own.
     write_bus: Option<Bus>,
+    ports: Vec<Port>,
+}
+
+/// What passed a port.
+#[derive(Clone, Copy, Default)]
+struct Port {
     /// The burst written last, by tile and number: a pixel that lies in it as well costs nothing more.
     last_burst: Option<(usize, u32)>,
     pixels_read: u64,
@@ -45,7 +49,7 @@ pub struct ReconstructionBuffer {
 }
 
 impl ReconstructionBuffer {
-    /// A DRAM behind a controller that keeps up with the port.
+    /// A DRAM behind a controller that keeps up with the ports.
     pub const SETTINGS: MemorySettings =
         MemorySettings { latency_cycles: 24, bytes_per_cycle: None, burst_bytes: 1, reorder_window: 1 };
 
@@ -54,24 +58,24 @@ impl ReconstructionBuffer {
     pub fn new(config: &Config, settings: MemorySettings) -> Self {
         let settings = MemorySettings { reorder_window: 1, ..settings };
         let pixel_bytes = pixel_bytes(config);
+        let ports = config.memory_ports as usize;
+        let bytes_at_once = pixel_bytes * config.memory_ports;
         Self {
             config: config.clone(),
             tiles: vec![None; config.buffer_tiles()],
             pixel_bytes,
             burst_bytes: settings.burst_bytes,
             // Nothing is left to chance in order.
-            memory: ExternalMemory::new(settings, 1, pixel_bytes, 0),
-            write_bus: settings.bytes_per_cycle.is_none().then(|| Bus::new(&settings, pixel_bytes)),
-            last_burst: None,
-            pixels_read: 0,
-            pixels_written: 0,
+            memory: ExternalMemory::new(settings, ports, bytes_at_once, 0),
+            write_bus: settings.bytes_per_cycle.is_none().then(|| Bus::new(&settings, bytes_at_once)),
+            ports: vec![Port::default(); ports],
         }
     }
 
-    /// Accepts a read in cycle `now`.
-    pub fn request(&mut self, run: PixelRun, now: u64) {
+    /// Accepts a read of a port in cycle `now`.
+    pub fn request(&mut self, port: usize, run: PixelRun, now: u64) {
         let size = RequestSize { beats: run.count.into(), beat_bytes: self.pixel_bytes };
-        self.memory.request(READS, run, size, now);
+        self.memory.request(port, run, size, now);
     }
 
     /// Gives the bus to what waits for it; once a cycle, before what is on offer is asked for.
@@ -79,18 +83,18 @@ impl ReconstructionBuffer {
         self.memory.advance(now);
     }
 
-    /// The pixel that is on offer in cycle `now`.
+    /// The pixel that is on offer at a port in cycle `now`.
     #[must_use]
-    pub fn offer(&self, now: u64) -> Option<Pixel> {
-        let (PixelRun { surface, tile, pixel, .. }, beat) = self.memory.offer(READS, now)?;
+    pub fn offer(&self, port: usize, now: u64) -> Option<Pixel> {
+        let (PixelRun { surface, tile, pixel, .. }, beat) = self.memory.offer(port, now)?;
         let pixels = self.tiles[buffer_tile(&self.config, surface, tile)].as_ref();
         Some(pixels.map_or_else(Pixel::default, |pixels| pixels[usize::from(pixel) + beat as usize]))
     }
 
-    /// The offered pixel was taken.
-    pub fn take(&mut self) {
-        self.pixels_read += 1;
-        self.memory.take(READS);
+    /// The pixel offered at a port was taken.
+    pub fn take(&mut self, port: usize) {
+        self.ports[port].pixels_read += 1;
+        self.memory.take(port);
     }
 
     /// Whether a write can be accepted in cycle `now`.
@@ -99,9 +103,8 @@ impl ReconstructionBuffer {
         self.write_bus.as_ref().unwrap_or_else(|| self.memory.bus()).is_free(now)
     }
 
-    /// Accepts a write in cycle `now`.
-    pub fn write(&mut self, write: &StoredPixel, now: u64) {
-        self.pixels_written += 1;
+    /// Accepts a write of a port in cycle `now`.
+    pub fn write(&mut self, port: usize, write: &StoredPixel, now: u64) {
         let place = buffer_tile(&self.config, write.surface, write.placed.tile);
         let write = write.placed;
         let tile = self.tiles[place].get_or_insert_with(|| Box::new([Pixel::default(); PIXELS]));
@@ -110,8 +113,10 @@ impl ReconstructionBuffer {
         let begin = u32::from(write.pixel) * self.pixel_bytes;
         let bursts = begin / self.burst_bytes..=(begin + self.pixel_bytes - 1) / self.burst_bytes;
         let last = (place, *bursts.end());
-        let begun = bursts.filter(|burst| self.last_burst != Some((place, *burst))).count();
-        self.last_burst = Some(last);
+        let port = &mut self.ports[port];
+        port.pixels_written += 1;
+        let begun = bursts.filter(|burst| port.last_burst != Some((place, *burst))).count();
+        port.last_burst = Some(last);
         let bus = self.write_bus.as_mut().unwrap_or_else(|| self.memory.bus_mut());
         bus.transfer(begun as u64 * u64::from(self.burst_bytes), now);
     }
@@ -119,14 +124,14 @@ impl ReconstructionBuffer {
     /// What passed so far.
     #[must_use]
     pub fn traffic(&self) -> BufferTraffic {
-        let Self { pixels_read, pixels_written, .. } = *self;
+        let busiest = self.ports.iter().map(|port| port.pixels_read.max(port.pixels_written)).max().unwrap_or(0);
         let buses = || [Some(self.memory.bus()), self.write_bus.as_ref()].into_iter().flatten();
         let on_bus = buses().map(|bus| bus.busy_cycles().ceil() as u64).max().unwrap_or(0);
         BufferTraffic {
-            pixels_read,
-            pixels_written,
+            pixels_read: self.ports.iter().map(|port| port.pixels_read).sum(),
+            pixels_written: self.ports.iter().map(|port| port.pixels_written).sum(),
             bytes: buses().map(Bus::bytes).sum(),
-            busy_cycles: on_bus.max(pixels_read).max(pixels_written),
+            busy_cycles: on_bus.max(busiest),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::generate::SplatCore;
 use crate::recording::Recording;
 use crate::stimuli::frames::{Lens, Place, about};
 use crate::stimuli::pace::Paces;
-use crate::stimuli::renderer::{DATA, READ, Renderer, STREAMS, Script, WRITE};
+use crate::stimuli::renderer::{DATA, READ, Renderer, Script, WRITE, streams};
 use fastrand::Rng;
 use glam::Vec3;
 use pointcore_contract::count;
@@ -51,7 +51,7 @@ pub fn record(config: &Config, core: &SplatCore) -> Recording {
     for (seed, (pattern, place, splats)) in (0..).zip(RUNS) {
         let random = &mut Rng::with_seed(seed);
         let frames = [splats, splats / 4].map(|splats| about(place, config, splats, LENS, random)).into();
-        let paces = Paces::alike(STREAMS, pattern, random);
+        let paces = Paces::alike(streams(config), pattern, random);
         recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
     for stream in HELD {
@@ -106,7 +106,7 @@ impl<'a> Recorder<'a> {
     fn hold(&mut self, stream: usize) {
         let random = &mut Rng::with_seed(stream as u64);
         let frames = vec![about(LARGE, self.config, LARGE_SPLATS, LENS, random)];
-        let paces = Paces::in_turns(STREAMS, None).hardly(stream, random);
+        let paces = Paces::in_turns(streams(self.config), None).hardly(stream, random);
         self.run(Script { frames, paces, latency: 1, resets: vec![] }, RUN_CYCLES);
     }
 
@@ -117,7 +117,7 @@ impl<'a> Recorder<'a> {
         let splats = config.heap_capacity() * 5 / 4;
         let interval = u64::from(config.setup_interval.max(config.transform_interval).max(config.heap_interval));
         let held = u64::from(splats) * interval;
-        let paces = Paces::in_turns(STREAMS, None).after(WRITE, held);
+        let paces = Paces::in_turns(streams(config), None).after(WRITE, held);
         let frames = vec![about(SMALL, config, splats, LENS, random)];
         self.run(Script { frames, paces, latency: 1, resets: vec![] }, held + u64::from(splats) * COPY_CYCLES);
     }

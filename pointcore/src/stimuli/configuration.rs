@@ -3,7 +3,7 @@
 
 use super::one_of;
 use fastrand::Rng;
-use pointcore_contract::splat::config::{Reordering, TILE_SIZE};
+use pointcore_contract::splat::config::{MEMORY_PORTS_MAX, Reordering, TILE_SIZE};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
 use pointcore_contract::{search, splat};
@@ -79,6 +79,7 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         AttributeFormat::Fixed(one_of(random, &Fraction::NAMED).1)
     };
     let (continuous, cardinal) = attributes(random);
+    let rasterizers = rasterizers(random, width);
     let (low, high) = (*splat::config::KERNEL_GAMMA_RANGE.start(), *splat::config::KERNEL_GAMMA_RANGE.end());
     splat::Config {
         width,
@@ -104,7 +105,8 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         splat_levels: mostly(random, SPLAT_LEVELS, 0..=14),
         payload_beats: random.u32(1..=8),
         tile_slots: mostly(random, 2..=6, 2..=64),
-        rasterizers: rasterizers(random, width),
+        rasterizers,
+        memory_ports: one_of(random, &[1, 1, 2, MEMORY_PORTS_MAX]).min(rasterizers),
         transform_interval: random.u32(1..=16),
         setup_interval: random.u32(1..=16),
         accumulate_stages: random.u32(5..=12),
@@ -199,6 +201,8 @@ mod tests {
             ("splat_levels", &["0", "6", "14"]),
             ("payload_beats", &["1", "8"]),
             ("tile_slots", &["2", "6", "64"]),
+            ("rasterizers", &["1", "8"]),
+            ("memory_ports", &["1", "4"]),
             ("transform_interval", &["1", "16"]),
             ("setup_interval", &["1", "16"]),
             ("accumulate_stages", &["5", "12"]),

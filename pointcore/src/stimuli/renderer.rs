@@ -14,18 +14,24 @@ use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stimulus};
 use std::sync::Arc;
 
-/// Streams that can be held back, and their places among the paces.
+/// Streams that can be held back, and their places among the paces: those that there are once, then those of each port to memory.
 const SPLAT: usize = 0;
-/// That of pixels from memory.
-pub const DATA: usize = 1;
+const UNIFORM: usize = 1;
+/// The place of pixels from memory, at the first port.
+pub const DATA: usize = 2;
 /// That of reads.
-pub const READ: usize = 2;
+pub const READ: usize = 3;
 /// That of pixels to memory.
-pub const WRITE: usize = 3;
-const FRAGMENT: usize = 4;
-const UNIFORM: usize = 5;
-/// How many they are.
-pub const STREAMS: usize = 6;
+pub const WRITE: usize = 4;
+const FRAGMENT: usize = 5;
+/// Streams of a port.
+const OF_PORT: usize = 4;
+
+/// How many streams can be held back.
+#[must_use]
+pub const fn streams(config: &Config) -> usize {
+    DATA + OF_PORT * config.memory_ports as usize
+}
 
 /// How much there is of everything, at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,8 +64,8 @@ pub struct Renderer {
     sent: usize,
     /// Uniform registers of that frame that have been written.
     written: usize,
-    /// Frames whose end has come.
-    ended: usize,
+    /// Frames whose end has come, by port to memory.
+    ended: Vec<usize>,
 }
 
 /// What a host plays.
@@ -80,7 +86,7 @@ impl Script {
     pub fn random(config: &Config, most: Bounds, lens: Lens, hard: Option<HardCases>, random: &mut Rng) -> Self {
         let count = random.usize(1..=most.frames);
         let frames = frames(config, count, most.splats, lens, hard, random);
-        let paces = Paces::random(random, STREAMS);
+        let paces = Paces::random(random, streams(config));
         let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=most.latency_cycles) };
         Self { frames, paces, latency, resets: resets(most.reset_cycles, random) }
     }
@@ -110,24 +116,27 @@ impl Renderer {
             sending: 0,
             sent: 0,
             written: 0,
-            ended: 0,
+            ended: vec![0; config.memory_ports as usize],
         }
     }
 
     /// Begins again with the first frame that has not ended, on a core that has forgotten everything.
     fn restart(&mut self) {
         self.buffer = buffer(&self.config, self.latency);
-        (self.sending, self.sent, self.written) = (self.ended, 0, 0);
+        let ended = self.ended();
+        self.ended.fill(ended);
+        (self.sending, self.sent, self.written) = (ended, 0, 0);
+    }
+
+    /// Frames whose end has come through all ports.
+    fn ended(&self) -> usize {
+        self.ended.iter().copied().min().unwrap_or(0)
     }
 
     /// Takes what moved in the cycle before.
     fn account(&mut self, cycle: u64, outputs: &Out) {
         let inputs = &self.inputs;
         let splat = inputs.splat.is_some() && outputs.splat_ready;
-        let read = outputs.read.filter(|_| inputs.read_ready);
-        let data = inputs.data.is_some() && outputs.data_ready;
-        let pixel = outputs.write.filter(|_| inputs.write_ready);
-        let fragment = outputs.fragment.filter(|_| inputs.fragment_ready);
         if splat {
             self.sent += 1;
             if self.sent == self.frames[self.sending].records.len() {
@@ -137,30 +146,41 @@ impl Renderer {
                 self.written = if is_new_view { 0 } else { self.written };
             }
         }
-        if let Some(read) = read {
-            self.buffer.request(read, cycle);
-        }
-        if data {
-            self.buffer.take();
-        }
-        if let Some(pixel) = &pixel {
-            self.buffer.write(pixel, cycle);
-        }
-        self.ended += usize::from(fragment.is_some_and(|fragment| fragment.end));
-        let uniform = inputs.uniform.is_some();
-        if splat || data || uniform || read.is_some() || pixel.is_some() || fragment.is_some() {
+        let uniform = self.inputs.uniform.is_some();
+        let ports = (0..self.ended.len()).filter(|port| self.account_port(*port, cycle, outputs)).count();
+        if splat || uniform || ports > 0 {
             self.watch.moved(cycle);
         }
+    }
+
+    /// The same at a port to memory; whether something moved.
+    fn account_port(&mut self, port: usize, cycle: u64, outputs: &Out) -> bool {
+        let inputs = &self.inputs;
+        let read = outputs.read[port].filter(|_| inputs.read_ready[port]);
+        let data = inputs.data[port].is_some() && outputs.data_ready[port];
+        let pixel = outputs.write[port].filter(|_| inputs.write_ready[port]);
+        let fragment = outputs.fragment[port].filter(|_| inputs.fragment_ready[port]);
+        if let Some(read) = read {
+            self.buffer.request(port, read, cycle);
+        }
+        if data {
+            self.buffer.take(port);
+        }
+        if let Some(pixel) = &pixel {
+            self.buffer.write(port, pixel, cycle);
+        }
+        self.ended[port] += usize::from(fragment.is_some_and(|fragment| fragment.end));
+        data || read.is_some() || pixel.is_some() || fragment.is_some()
     }
 
     /// Sets what is offered and what is taken; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         self.buffer.advance(cycle);
-        let idle: [bool; STREAMS] = std::array::from_fn(|stream| self.paces.idle(stream, cycle));
+        let idle: Vec<bool> = (0..streams(&self.config)).map(|stream| self.paces.idle(stream, cycle)).collect();
         let frame = self.frames.get(self.sending);
         let uniforms = frame.map_or(&[][..], |frame| &frame.uniforms);
         // Registers are written while no frame is under way.
-        let may_write = self.ended == self.sending && self.sent == 0 && !idle[UNIFORM];
+        let may_write = self.ended() == self.sending && self.sent == 0 && !idle[UNIFORM];
         let data = uniforms.get(self.written).filter(|_| may_write && self.inputs.splat.is_none());
         self.inputs.uniform = data.map(|&data| UniformWrite { address: self.written as u8, data: data as u32 });
         let are_written = self.written == uniforms.len();
@@ -169,12 +189,15 @@ impl Renderer {
             let record = frame.and_then(|frame| frame.records.get(self.sent)).copied();
             self.inputs.splat = record.filter(|_| are_written && !idle[SPLAT]);
         }
-        if self.inputs.data.is_none() || outputs.data_ready {
-            self.inputs.data = self.buffer.offer(cycle).filter(|_| !idle[DATA]);
+        for (port, idle) in (0..self.ended.len()).zip(idle[DATA..].chunks(OF_PORT)) {
+            let is_idle = |stream: usize| idle[stream - DATA];
+            if self.inputs.data[port].is_none() || outputs.data_ready[port] {
+                self.inputs.data[port] = self.buffer.offer(port, cycle).filter(|_| !is_idle(DATA));
+            }
+            self.inputs.read_ready[port] = !is_idle(READ);
+            self.inputs.write_ready[port] = !is_idle(WRITE);
+            self.inputs.fragment_ready[port] = !is_idle(FRAGMENT);
         }
-        self.inputs.read_ready = !idle[READ];
-        self.inputs.write_ready = !idle[WRITE];
-        self.inputs.fragment_ready = !idle[FRAGMENT];
     }
 }
 
@@ -187,7 +210,7 @@ impl Stimulus for Renderer {
         } else if cycle > 0 {
             self.account(cycle - 1, &outputs);
         }
-        if self.watch.is_over(cycle, self.ended == self.frames.len()) {
+        if self.watch.is_over(cycle, self.ended() == self.frames.len()) {
             return Flow::Done;
         }
         let is_reset = self.resets.pop_if(|next| *next <= cycle).is_some();
@@ -212,7 +235,7 @@ impl Surroundings for Renderer {
     }
 
     fn pending(&self) -> Pending {
-        let ended = self.ended;
+        let ended = self.ended();
         Pending { done: ended, expected: self.frames.len(), what: "frames" }
     }
 

@@ -29,6 +29,16 @@ pub enum ConfigError {
         /// As many as there may be.
         most: u32,
     },
+    /// A number of ports that rasterizers cannot share evenly.
+    #[error(
+        "`memory_ports` = {ports} with `rasterizers` = {rasterizers}: expected 1, 2 or 4, and no more than rasterizers"
+    )]
+    MemoryPorts {
+        /// Ports.
+        ports: u32,
+        /// Rasterizers.
+        rasterizers: u32,
+    },
     /// A row of samples that ends within a pixel.
     #[error(
         "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"

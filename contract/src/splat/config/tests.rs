@@ -15,6 +15,12 @@ fn errors_name_key_and_range() {
     assert_eq!(error.to_string(), "`kernel_index_bits` = 3: expected 4 to 10");
     let error = Config { kernel_fraction_bits: 11, ..Config::default() }.validate().unwrap_err();
     assert_eq!(error.to_string(), "`kernel_fraction_bits` = 11: expected 0 to 10");
+    for (memory_ports, rasterizers) in [(0, 1), (2, 1), (3, 4), (8, 8)] {
+        let error = Config { memory_ports, rasterizers, ..Config::default() }.validate().unwrap_err().to_string();
+        let expected =
+            format!("`memory_ports` = {memory_ports} with `rasterizers` = {rasterizers}: expected 1, 2 or 4");
+        assert!(error.starts_with(&expected), "{error}");
+    }
     let error = Config { continuous: 15, ..Config::default() }.validate().unwrap_err();
     assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
     let geometry = Format::F24;

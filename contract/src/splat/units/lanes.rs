@@ -2,7 +2,7 @@
 
 use super::events::LaneEvents;
 use crate::splat::Config;
-use crate::splat::records::{FinishedPixel, Pixel, PixelRun, SplatCopy, StoredPixel};
+use crate::splat::records::{FinishedPixel, Fragment, Pixel, PixelRun, SplatCopy, StoredPixel};
 use crate::unit;
 
 /// Sends copies to one of two sides, by the rasterizer whose tile it is.
@@ -48,32 +48,50 @@ pub struct Lane {
     events: Output<LaneEvents>,
 }
 
-/// Leads two sides to one memory, and their pixels into one stream.
-#[unit(splat_collector, config: Config)]
+/// Leads two sides to one port of the reconstruction buffer.
+#[unit(splat_arbiter, config: Config)]
 #[when(config.rasterizers > 1)]
-pub struct Collector {
+pub struct Arbiter {
     /// Requests of the lower numbers.
     low_read: In<PixelRun>,
     /// Pixels for them.
     low_data: Out<Pixel>,
     /// What they write.
     low_write: In<StoredPixel>,
-    /// What they have finished.
-    low_pixel: In<FinishedPixel>,
     /// Requests of the higher numbers.
     high_read: In<PixelRun>,
     /// Pixels for them.
     high_data: Out<Pixel>,
     /// What they write.
     high_write: In<StoredPixel>,
-    /// What they have finished.
-    high_pixel: In<FinishedPixel>,
     /// Requests of both.
     read: Out<PixelRun>,
     /// The pixels requested, in order.
     data: In<Pixel>,
     /// What both write.
     write: Out<StoredPixel>,
-    /// What both have finished.
-    pixel: Out<FinishedPixel>,
+}
+
+/// Leads finished pixels of two sides into one stream.
+#[unit(splat_collector, config: Config)]
+#[when(config.rasterizers_a_port() > 1)]
+pub struct Collector {
+    /// Those of the lower numbers.
+    low: In<FinishedPixel>,
+    /// Those of the higher numbers.
+    high: In<FinishedPixel>,
+    /// Both: a frame ends when both sides have.
+    out: Out<FinishedPixel>,
+}
+
+/// Leads fragments of two sides into one stream, for a bus.
+#[unit(splat_fragment_collector, config: Config)]
+#[when(config.memory_ports > 1)]
+pub struct FragmentCollector {
+    /// Those of the lower numbers.
+    low: In<Fragment>,
+    /// Those of the higher numbers.
+    high: In<Fragment>,
+    /// Both: a frame ends when both sides have.
+    out: Out<Fragment>,
 }

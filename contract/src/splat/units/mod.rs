@@ -9,7 +9,7 @@ mod whole;
 
 pub use copies::{heap, lists, payloads, reorder, splitter, tile_cache};
 pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
-pub use lanes::{collector, distributor, lane};
+pub use lanes::{arbiter, collector, distributor, fragment_collector, lane};
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
 pub use splats::{setup, transform};
 pub use whole::top;
@@ -18,7 +18,7 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last.
-pub static UNITS: [&Unit<Config>; 17] = [
+pub static UNITS: [&Unit<Config>; 19] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
@@ -33,8 +33,10 @@ pub static UNITS: [&Unit<Config>; 17] = [
     &depth_test::UNIT,
     &accumulator::UNIT,
     &lane::UNIT,
+    &arbiter::UNIT,
     &collector::UNIT,
     &normalizer::UNIT,
+    &fragment_collector::UNIT,
     &top::UNIT,
 ];
 

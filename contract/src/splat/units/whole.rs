@@ -16,13 +16,17 @@ pub struct Top {
     /// All splats of a frame were set up in the last cycle.
     frame_set_up: Output<bool>,
     /// Request for pixels of a tile.
-    read: Out<PixelRun>,
+    #[count(config.memory_ports)]
+    read: [Out<PixelRun>; 4],
     /// The pixels requested, in order.
-    data: In<Pixel>,
+    #[count(config.memory_ports)]
+    data: [In<Pixel>; 4],
     /// Pixels of evicted tiles.
-    write: Out<StoredPixel>,
-    /// Fragments of the image.
-    fragment: Out<Fragment>,
+    #[count(config.memory_ports)]
+    write: [Out<StoredPixel>; 4],
+    /// Fragments of the image, each of one stream; a frame ends when all streams have ended it.
+    #[count(config.memory_ports)]
+    fragment: [Out<Fragment>; 4],
     /// What happened in the last cycle.
     #[port("")]
     events: Output<Events>,

@@ -2,3 +2,4 @@
 
 pub(crate) mod division;
 pub mod share;
+pub(crate) mod shared;

@@ -1,12 +1,13 @@
-//! All lanes of a core: distributors lead to them and collectors from them, as two binary trees whose leaves they are.
+//! All lanes of a core: distributors lead to them, arbiters and collectors from them, as binary trees whose leaves they are.
 //!
 //! Nodes are numbered as those of a heap: the root is 1, and below node `i` are `2i` and `2i + 1`; lane `n` of `count` is node
-//! `count + n`.
+//! `count + n`. Each of several ports to memory is the root of a tree of its own, port `p` of `ports` is node `ports + p`.
 
-use crate::splat::{Collector, Distributor, Lane, Latencies, collector, distributor, lane};
+use crate::splat::{Arbiter, Collector, Distributor, Lane, Latencies, arbiter, distributor, lane};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::units::Events;
+use pointcore_contract::splat::records::SplatCopy;
+use pointcore_contract::splat::units::{Events, collector};
 
 /// What lanes and the units between them show in a cycle.
 #[derive(Clone, Debug)]
@@ -15,51 +16,75 @@ pub struct Shown {
     pub distributors: Vec<distributor::Out>,
     /// The lanes, by number.
     pub lanes: Vec<lane::Shown>,
-    /// The collectors, the root first.
+    /// The arbiters, the roots first.
+    pub arbiters: Vec<arbiter::Out>,
+    /// The collectors, likewise.
     pub collectors: Vec<collector::Out>,
 }
 
 impl Shown {
-    /// What node `node` shows to the outside.
-    fn node(&self, node: usize) -> lane::Out {
-        match self.collectors.get(node - 1) {
-            Some(&collector::Out { read, data_ready, write, pixel, .. }) => {
-                let in_ready = self.distributors[node - 1].in_ready;
-                lane::Out { in_ready, read, data_ready, write, pixel, ..lane::Out::default() }
-            }
-            None => self.lanes[node - self.lanes.len()].ports(),
+    /// Ports to memory: arbiters are nodes from this number on.
+    fn ports(&self) -> usize {
+        self.lanes.len() - self.arbiters.len()
+    }
+
+    /// Whether node `node` takes a copy.
+    fn takes(&self, node: usize) -> bool {
+        match self.distributors.get(node - 1) {
+            Some(distributor) => distributor.in_ready,
+            None => self.lanes[node - self.lanes.len()].payloads.in_ready,
         }
     }
 
-    /// What all show together, but for their events.
-    #[must_use]
-    pub fn ports(&self) -> lane::Out {
-        self.node(1)
+    /// What node `node`, a port's or below, shows to memory.
+    fn node(&self, node: usize) -> lane::Out {
+        let inner = node - self.ports();
+        match (self.arbiters.get(inner), self.collectors.get(inner)) {
+            (Some(&arbiter::Out { read, data_ready, write, .. }), Some(&collector::Out { out: pixel, .. })) => {
+                lane::Out { read, data_ready, write, pixel, ..lane::Out::default() }
+            }
+            _ => self.lanes[node - self.lanes.len()].ports(),
+        }
     }
 
-    /// What each node sees where the root sees `inputs`; a lane's inputs are at `lanes.len()` and its number.
+    /// Whether a copy is taken.
     #[must_use]
-    pub fn seen(&self, inputs: &lane::In) -> Vec<lane::In> {
+    pub fn in_ready(&self) -> bool {
+        self.takes(1)
+    }
+
+    /// What each port shows to memory and to its normalizer.
+    pub fn at_ports(&self) -> impl Iterator<Item = lane::Out> + '_ {
+        (self.ports()..2 * self.ports()).map(|node| self.node(node))
+    }
+
+    /// What each node sees where the splitter shows a copy and each port sees one of `ports`; a lane's inputs are at `lanes.len()` and
+    /// its number.
+    #[must_use]
+    pub fn seen(&self, copy: Option<SplatCopy>, ports: &[lane::In]) -> Vec<lane::In> {
         let mut seen = vec![lane::In::default(); 2 * self.lanes.len()];
-        seen[1] = *inputs;
-        for (node, (distributes, collects)) in (1..).zip(self.distributors.iter().zip(&self.collectors)) {
+        seen[ports.len()..2 * ports.len()].copy_from_slice(ports);
+        for (node, (arbiter, collector)) in (ports.len()..).zip(self.arbiters.iter().zip(&self.collectors)) {
             let above = seen[node];
             seen[2 * node] = lane::In {
-                input: distributes.low,
-                read_ready: collects.low_read_ready,
-                data: collects.low_data,
-                write_ready: collects.low_write_ready,
-                pixel_ready: collects.low_pixel_ready,
+                read_ready: arbiter.low_read_ready,
+                data: arbiter.low_data,
+                write_ready: arbiter.low_write_ready,
+                pixel_ready: collector.low_ready,
                 ..above
             };
             seen[2 * node + 1] = lane::In {
-                input: distributes.high,
-                read_ready: collects.high_read_ready,
-                data: collects.high_data,
-                write_ready: collects.high_write_ready,
-                pixel_ready: collects.high_pixel_ready,
+                read_ready: arbiter.high_read_ready,
+                data: arbiter.high_data,
+                write_ready: arbiter.high_write_ready,
+                pixel_ready: collector.high_ready,
                 ..above
             };
+        }
+        seen[1].input = copy;
+        for (node, distributor) in (1..).zip(&self.distributors) {
+            seen[2 * node].input = distributor.low;
+            seen[2 * node + 1].input = distributor.high;
         }
         (0..).zip(&mut seen[self.lanes.len()..]).for_each(|(number, lane)| lane.number = number);
         seen
@@ -87,6 +112,7 @@ impl Shown {
 pub struct Lanes {
     distributors: Vec<Distributor>,
     lanes: Vec<Lane>,
+    arbiters: Vec<Arbiter>,
     collectors: Vec<Collector>,
 }
 
@@ -95,10 +121,12 @@ impl Lanes {
     #[must_use]
     pub fn new(config: &Config, latencies: &Latencies) -> Self {
         let count = config.rasterizers;
+        let inner = (count - config.memory_ports) as usize;
         Self {
             distributors: (1..count).map(|node| Distributor::new(config, node.ilog2())).collect(),
             lanes: vec![Lane::new(config, latencies); count as usize],
-            collectors: vec![Collector::default(); count as usize - 1],
+            arbiters: vec![Arbiter::default(); inner],
+            collectors: vec![Collector::default(); inner],
         }
     }
 
@@ -108,35 +136,36 @@ impl Lanes {
         Shown {
             distributors: self.distributors.iter().map(Model::outputs).collect(),
             lanes: self.lanes.iter().map(Lane::shown).collect(),
+            arbiters: self.arbiters.iter().map(Model::outputs).collect(),
             collectors: self.collectors.iter().map(Model::outputs).collect(),
         }
     }
 
-    /// One clock edge of units that show this; `inputs` are what the root sees.
-    pub fn step(&mut self, inputs: &lane::In, shown: &Shown) {
-        let seen = shown.seen(inputs);
-        for (node, (distributor, collector)) in (1..).zip(self.distributors.iter_mut().zip(&mut self.collectors)) {
+    /// One clock edge of units that show this, where the splitter shows a copy and each port sees one of `ports`.
+    pub fn step(&mut self, copy: Option<SplatCopy>, ports: &[lane::In], shown: &Shown) {
+        let seen = shown.seen(copy, ports);
+        for (node, distributor) in (1..).zip(&mut self.distributors) {
+            distributor.clock(&distributor::In {
+                input: seen[node].input,
+                low_ready: shown.takes(2 * node),
+                high_ready: shown.takes(2 * node + 1),
+            });
+        }
+        for (node, (arbiter, collector)) in (ports.len()..).zip(self.arbiters.iter_mut().zip(&mut self.collectors)) {
             let above = seen[node];
             let [low, high] = [2 * node, 2 * node + 1].map(|below| shown.node(below));
-            distributor.clock(&distributor::In {
-                input: above.input,
-                low_ready: low.in_ready,
-                high_ready: high.in_ready,
-            });
-            collector.clock(&collector::In {
+            arbiter.clock(&arbiter::In {
                 low_read: low.read,
                 low_data_ready: low.data_ready,
                 low_write: low.write,
-                low_pixel: low.pixel,
                 high_read: high.read,
                 high_data_ready: high.data_ready,
                 high_write: high.write,
-                high_pixel: high.pixel,
                 read_ready: above.read_ready,
                 data: above.data,
                 write_ready: above.write_ready,
-                pixel_ready: above.pixel_ready,
             });
+            collector.clock(&collector::In { low: low.pixel, high: high.pixel, out_ready: above.pixel_ready });
         }
         let inputs = &seen[self.lanes.len()..];
         for ((lane, inputs), shown) in self.lanes.iter_mut().zip(inputs).zip(&shown.lanes) {

@@ -23,26 +23,26 @@ pub struct Shown {
     pub splitter: splitter::Out,
     /// The lanes.
     pub lanes: lanes::Shown,
-    /// The end of a frame left all of them in the cycle before.
+    /// The end of a frame had left all of them in the cycle before.
     pub frame_sent: bool,
-    /// The normalizer.
-    pub normalizer: normalizer::Out,
+    /// The normalizers, one a port.
+    pub normalizers: Vec<normalizer::Out>,
 }
 
 impl Shown {
-    /// What the root of the lanes sees.
+    /// What each port of the lanes sees, but for copies.
     #[must_use]
-    pub const fn lanes_see(&self, inputs: &In, filter_scale: u32) -> lane::In {
-        lane::In {
-            input: self.splitter.out,
-            read_ready: inputs.read_ready,
-            data: inputs.data,
-            write_ready: inputs.write_ready,
-            pixel_ready: self.normalizer.in_ready,
-            number: 0,
+    pub fn ports_see(&self, inputs: &In, filter_scale: u32) -> Vec<lane::In> {
+        let of_port = |(port, normalizer): (usize, &normalizer::Out)| lane::In {
+            read_ready: inputs.read_ready[port],
+            data: inputs.data[port],
+            write_ready: inputs.write_ready[port],
+            pixel_ready: normalizer.in_ready,
             frame_sent: self.frame_sent,
             filter_scale,
-        }
+            ..lane::In::default()
+        };
+        self.normalizers.iter().enumerate().map(of_port).collect()
     }
 }
 
@@ -58,8 +58,10 @@ pub struct Top {
     splitter: Splitter,
     lanes: Lanes,
     frame_set_up: bool,
+    /// By port to memory: the end of a frame has left, that of others may not have.
+    ended: Vec<bool>,
     frame_sent: bool,
-    normalizer: Normalizer,
+    normalizers: Vec<Normalizer>,
 }
 
 impl Top {
@@ -75,8 +77,9 @@ impl Top {
             splitter: Splitter::new(config),
             lanes: Lanes::new(config, latencies),
             frame_set_up: false,
+            ended: vec![false; config.memory_ports as usize],
             frame_sent: false,
-            normalizer: Normalizer::new(config, latencies.normalizer),
+            normalizers: vec![Normalizer::new(config, latencies.normalizer); config.memory_ports as usize],
         }
     }
 
@@ -89,14 +92,13 @@ impl Top {
             splitter: self.splitter.outputs(),
             lanes: self.lanes.shown(),
             frame_sent: self.frame_sent,
-            normalizer: self.normalizer.outputs(),
+            normalizers: self.normalizers.iter().map(Model::outputs).collect(),
         }
     }
 
     /// One clock edge of units that show this: a [`clock`](Model::clock) for whoever has looked at what passes between them.
     pub fn step(&mut self, inputs: &In, shown: &Shown) {
         let Shown { transform, setup, splitter, lanes, .. } = shown;
-        let lane::Out { in_ready, pixel, .. } = lanes.ports();
         let uniforms = &self.uniforms;
         self.transform.clock(&transform::In {
             input: inputs.splat,
@@ -113,10 +115,17 @@ impl Top {
             filter_radius: uniforms.filter_radius,
         });
         self.frame_set_up = setup.out.is_some_and(|splat| splat.end) && splitter.in_ready;
-        self.splitter.clock(&splitter::In { input: setup.out, out_ready: in_ready });
-        self.lanes.step(&shown.lanes_see(inputs, uniforms.filter_scale & self.filter_scale_bits), lanes);
-        self.frame_sent = pixel.is_some_and(|pixel| pixel.end) && shown.normalizer.in_ready;
-        self.normalizer.clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready });
+        self.splitter.clock(&splitter::In { input: setup.out, out_ready: lanes.in_ready() });
+        let ports = shown.ports_see(inputs, uniforms.filter_scale & self.filter_scale_bits);
+        self.lanes.step(splitter.out, &ports, lanes);
+        for (port, lane::Out { pixel, .. }) in lanes.at_ports().enumerate() {
+            self.ended[port] |= pixel.is_some_and(|pixel| pixel.end) && shown.normalizers[port].in_ready;
+            self.normalizers[port].clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready[port] });
+        }
+        self.frame_sent = self.ended.iter().all(|ended| *ended);
+        if self.frame_sent {
+            self.ended.fill(false);
+        }
         if let Some(write) = inputs.uniform {
             write_uniform(&mut self.uniforms, &self.config, write);
         }
@@ -130,16 +139,17 @@ impl Model for Top {
 
     fn outputs(&self) -> Out {
         let lanes = self.lanes.shown();
-        let lane::Out { read, data_ready, write, .. } = lanes.ports();
-        Out {
+        let mut out = Out {
             splat_ready: self.transform.outputs().in_ready,
             frame_set_up: self.frame_set_up,
-            read,
-            data_ready,
-            write,
-            fragment: self.normalizer.outputs().out,
             events: lanes.events(),
+            ..Out::default()
+        };
+        for (port, (at_port, normalizer)) in lanes.at_ports().zip(&self.normalizers).enumerate() {
+            (out.read[port], out.data_ready[port]) = (at_port.read, at_port.data_ready);
+            (out.write[port], out.fragment[port]) = (at_port.write, normalizer.outputs().out);
         }
+        out
     }
 
     fn clock(&mut self, inputs: &In) {

@@ -8,12 +8,14 @@ use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::RUN_PIXELS_MAX;
 use pointcore_contract::splat::records::{Fragment, Pixel, PlacedPixel, Splat, StoredPixel, UniformWrite};
-use pointcore_contract::splat::units::top::PORTS;
+use pointcore_contract::splat::units::top::{PORTS, Ports as CorePorts};
 
 use super::buffer::{Buffer, Placed, Run};
 use super::wiring::{Abort, report};
 use crate::bus::{Top, frames, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
+use crate::splat::arbiter::{self, Client};
+use crate::splat::collector::{self, Source};
 use crate::splat::top;
 use crate::stream::fifo;
 use crate::units::passage::Passage;
@@ -64,7 +66,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
 
     let [start, core_reset] = [CONTROL.start, CONTROL.core_reset].map(|port| port.word_of(&mut m, control));
     let abort = Abort::place::<SplatRegisters>(&mut m, control);
-    m.reset_by(core, core_reset | abort.drops);
+    let core_reset = core_reset | abort.drops;
+    m.reset_by(core, core_reset);
+    let (memory, fragment) = only_port(&mut m, config, core, core_reset);
     m.reset_by(splats, abort.drops);
     pipe(&mut m, config, (splats, SPLATS.out), (core, PORTS.splat));
     m.reset_by(frames, abort.drops);
@@ -82,16 +86,16 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
     let buffer =
         Buffer::<Pixel> { config, run_pixels: RUN_PIXELS_MAX, memory_bits: bus.memory_bits, base, reads, writes };
-    let write = PORTS.write.of(&mut m, config, core);
+    let write = memory.write.of(&mut m, config, memory.instance);
     let write = write.map(|StoredPixel { surface, placed }| {
         let PlacedPixel { tile, pixel, value } = placed;
         Placed { tile: cat([surface, tile]), pixel, value }
     });
-    let (read, all_came) = read_pixels(&mut m, config, core, reads, abort);
+    let (read, all_came) = read_pixels(&mut m, config, memory, reads, abort);
     buffer.order(&mut m, read, write);
 
     // The run ends when the last packet of its frames has left and memory has answered.
-    let fragment = PORTS.fragment.of(&mut m, config, core);
+    let fragment = fragment.1.of(&mut m, config, fragment.0);
     FRAGMENTS.input.feed(&mut m, config, fragments, fragment);
     FRAMES.sent.feed_word(&mut m, frames, fragment.transfer() & fragment.record.end);
     let no_frame = FRAMES.idle.word_of(&mut m, frames);
@@ -116,10 +120,33 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     Ok(Top { module: m, core: core_module, manifests })
 }
 
+/// Leads all of the core's ports to memory to one, and its fragments into one stream: the bus moves no more than a pixel a cycle.
+fn only_port(m: &mut Module, config: &Config, core: Instance, reset: Expr) -> (Client, Source<Fragment>) {
+    let of_port = |port: usize| {
+        let CorePorts { read, data, write, fragment, .. } = PORTS;
+        let client = Client { instance: core, read: read[port], data: data[port], write: write[port] };
+        (client, (core, fragment[port]))
+    };
+    let mut ports: Vec<_> = (0..config.memory_ports as usize).map(of_port).collect();
+    while ports.len() > 1 {
+        let level = ports.len() / 2;
+        let join = |(number, pair): (usize, &[(Client, Source<Fragment>)])| {
+            let client = arbiter::join(m, config, &format!("arbiter_{level}_{number}"), [pair[0].0, pair[1].0]);
+            let name = format!("fragment_collector_{level}_{number}");
+            let fragments = collector::join(m, config, &name, [pair[0].1, pair[1].1]);
+            m.reset_by(client.instance, reset);
+            m.reset_by(fragments.0, reset);
+            (client, fragments)
+        };
+        ports = ports.chunks(2).enumerate().map(join).collect();
+    }
+    ports[0]
+}
+
 /// Leads pixels from memory through a queue that has room for all that was asked for, so that memory never waits for the core, which
 /// may wait for memory to take what it writes. Returns the pixels to be read, and whether all that was asked for came.
-fn read_pixels(m: &mut Module, config: &Config, core: Instance, reads: Instance, abort: Abort) -> (Flow<Run>, Expr) {
-    let wanted = PORTS.read.of(m, config, core);
+fn read_pixels(m: &mut Module, config: &Config, client: Client, reads: Instance, abort: Abort) -> (Flow<Run>, Expr) {
+    let wanted = client.read.of(m, config, client.instance);
     let queue = Passage::<Pixel>::place(m, "pixels", fifo(PIXELS_ASKED_MAX, &layout::<Pixel>(config)));
     m.reset_by(queue.instance(), abort.drops);
     let pixel = READS.record.of(m, config, reads);
@@ -127,7 +154,7 @@ fn read_pixels(m: &mut Module, config: &Config, core: Instance, reads: Instance,
     queue.push(m, config, pixel.valid, pixel.record);
     m.drive(pixel.ready, room | abort.drops);
     let stored = queue.out(m, config);
-    let taken = PORTS.data.offer(m, config, core, stored.valid, stored.record);
+    let taken = client.data.offer(m, config, client.instance, stored.valid, stored.record);
     m.drive(stored.ready, taken);
 
     // Pixels asked for that have not come, and that have not been taken.

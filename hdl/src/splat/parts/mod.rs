@@ -2,3 +2,4 @@
 
 pub(crate) mod division;
 pub(crate) mod share;
+pub(crate) mod turns;

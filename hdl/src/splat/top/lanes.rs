@@ -1,16 +1,17 @@
-//! Places all lanes of a core: distributors lead to them and collectors from them, as two binary trees whose leaves they are.
+//! Places all lanes of a core: distributors lead to them, arbiters and collectors from them, as binary trees whose leaves they are.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, StoredPixel};
-use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents, collector, distributor, lane};
-use pointcore_contract::unit::{In, Out};
+use pointcore_contract::splat::records::FinishedPixel;
+use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents, distributor, lane};
 
 use crate::compiler::{CompileError, Manifest, Options};
+use crate::splat::arbiter::{self, Client};
+use crate::splat::collector::{self, Source};
 use crate::splat::lane::Lane;
-use crate::splat::{collector as collectors, distributor as distributors, lane as lanes};
+use crate::splat::{distributor as distributors, lane as lanes};
 use crate::units::ports::{OutputPorts, WordPort, pipe};
 use crate::units::wires::Wires;
 use rtl::{Expr, Instance, Module, lit};
@@ -18,47 +19,21 @@ use rtl::{Expr, Instance, Module, lit};
 /// The lanes, and what the compiler decided about their datapaths.
 pub(super) struct Lanes {
     lanes: Vec<Instance>,
-    /// What all copies go to, and what leads to memory and normalizer: both have the ports of a lane there.
-    pub root: Node,
+    /// What all copies go to: it has a lane's ports there.
+    pub root: Instance,
+    /// What leads to memory and to a normalizer each.
+    pub ports: Vec<Port>,
     /// By unit: those of one lane are those of all.
     pub manifests: BTreeMap<String, Manifest>,
 }
 
-/// A node of both trees: a lane takes its place in either.
+/// What lanes put out together.
 #[derive(Clone, Copy)]
-pub(super) struct Node {
-    /// The distributor.
-    pub distributor: Instance,
-    /// The collector.
-    pub collector: Instance,
-}
-
-/// A collector's ports to one of its sides.
-struct Side {
-    read: In<PixelRun>,
-    data: Out<Pixel>,
-    write: In<StoredPixel>,
-    pixel: In<FinishedPixel>,
-}
-
-const LOW: Side = {
-    let collector::Ports { low_read, low_data, low_write, low_pixel, .. } = collector::PORTS;
-    Side { read: low_read, data: low_data, write: low_write, pixel: low_pixel }
-};
-
-const HIGH: Side = {
-    let collector::Ports { high_read, high_data, high_write, high_pixel, .. } = collector::PORTS;
-    Side { read: high_read, data: high_data, write: high_write, pixel: high_pixel }
-};
-
-impl Side {
-    /// Connects it with the node below.
-    fn connect(self, m: &mut Module, config: &Config, collector: Instance, below: Node) {
-        pipe(m, config, (below.collector, lane::PORTS.read), (collector, self.read));
-        pipe(m, config, (collector, self.data), (below.collector, lane::PORTS.data));
-        pipe(m, config, (below.collector, lane::PORTS.write), (collector, self.write));
-        pipe(m, config, (below.collector, lane::PORTS.pixel), (collector, self.pixel));
-    }
+pub(super) struct Port {
+    /// Reads and writes of pixels.
+    pub memory: Client,
+    /// Finished pixels.
+    pub pixel: Source<FinishedPixel>,
 }
 
 /// What the trees are made of.
@@ -67,26 +42,42 @@ struct Planting<'a> {
     config: &'a Config,
     lane: Rc<Module>,
     lanes: Vec<Instance>,
+    ports: Vec<Port>,
 }
 
 impl Planting<'_> {
-    /// Places the node so many levels below the root, whose numbers begin with these bits, and all below it.
-    fn node(&mut self, level: u32, number: u32) -> Node {
-        if level == self.config.rasterizer_bits() {
-            let lane = self.m.instance(&format!("lane_{number}"), self.lane.clone());
-            self.lanes.push(lane);
-            return Node { distributor: lane, collector: lane };
+    /// Places the node so many levels below the root, whose numbers begin with these bits, and all below it. Returns what copies go to,
+    /// and what comes from there: above the ports nothing.
+    fn node(&mut self, level: u32, number: u32) -> (Instance, Option<Port>) {
+        let (instance, port) =
+            if level == self.config.rasterizer_bits() { self.leaf(number) } else { self.inner(level, number) };
+        if level == self.config.memory_ports.ilog2() {
+            self.ports.extend(port);
+            return (instance, None);
         }
-        let [low, high] = [2 * number, 2 * number + 1].map(|number| self.node(level + 1, number));
+        (instance, port)
+    }
+
+    fn leaf(&mut self, number: u32) -> (Instance, Option<Port>) {
+        let instance = self.m.instance(&format!("lane_{number}"), self.lane.clone());
+        self.lanes.push(instance);
+        let lane::Ports { read, data, write, pixel, .. } = lane::PORTS;
+        (instance, Some(Port { memory: Client { instance, read, data, write }, pixel: (instance, pixel) }))
+    }
+
+    fn inner(&mut self, level: u32, number: u32) -> (Instance, Option<Port>) {
+        let [(low, low_port), (high, high_port)] =
+            [2 * number, 2 * number + 1].map(|number| self.node(level + 1, number));
         let Self { ref mut m, config, .. } = *self;
         let name = |unit: &str| format!("{unit}_{level}_{number}");
         let distributor = m.instance(&name("distributor"), distributors::module(config, level));
-        pipe(m, config, (distributor, distributor::PORTS.low), (low.distributor, lane::PORTS.input));
-        pipe(m, config, (distributor, distributor::PORTS.high), (high.distributor, lane::PORTS.input));
-        let collector = m.instance(&name("collector"), collectors::module(config));
-        LOW.connect(m, config, collector, low);
-        HIGH.connect(m, config, collector, high);
-        Node { distributor, collector }
+        pipe(m, config, (distributor, distributor::PORTS.low), (low, lane::PORTS.input));
+        pipe(m, config, (distributor, distributor::PORTS.high), (high, lane::PORTS.input));
+        let port = low_port.zip(high_port).map(|(low, high)| Port {
+            memory: arbiter::join(m, config, &name("arbiter"), [low.memory, high.memory]),
+            pixel: collector::join(m, config, &name("collector"), [low.pixel, high.pixel]),
+        });
+        (distributor, port)
     }
 }
 
@@ -94,15 +85,15 @@ impl Lanes {
     /// Places all lanes.
     pub fn place(m: &mut Module, config: &Config, options: &Options) -> Result<Self, CompileError> {
         let Lane { module, manifests } = lanes::lane(config, options)?;
-        let mut planting = Planting { m, config, lane: Rc::new(module), lanes: vec![] };
-        let root = planting.node(0, 0);
-        let lanes = planting.lanes;
+        let mut planting = Planting { m, config, lane: Rc::new(module), lanes: vec![], ports: vec![] };
+        let (root, _) = planting.node(0, 0);
+        let Planting { lanes, ports, .. } = planting;
         if config.rasterizers > 1 {
             for (number, &lane) in (0..).zip(&lanes) {
                 lane::PORTS.number.feed_word(m, lane, lit(config.rasterizer_bits(), number));
             }
         }
-        Ok(Self { lanes, root, manifests })
+        Ok(Self { lanes, root, ports, manifests })
     }
 
     /// Tells all of them that the end of a frame has left.

@@ -3,18 +3,20 @@
 
 mod lanes;
 
+use super::arbiter::Client;
 use super::{normalizer, setup, splitter, transform};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{InputPorts, OutputPorts, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, held, pipe};
 use crate::units::wires::{Bundle, Wires};
-use lanes::Lanes;
+use lanes::{Lanes, Port};
 use pointcore_contract::fields;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, Uniforms};
 use pointcore_contract::splat::units::top::PORTS;
 use pointcore_contract::splat::units::{self, lane};
-use rtl::{Instance, Module, lit};
+use rtl::{Expr, Instance, Module, cat, lit};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The core's module and what the compiler decided about its datapaths.
 pub struct Core {
@@ -30,7 +32,8 @@ struct Instances {
     setup: Instance,
     splitter: Instance,
     lanes: Lanes,
-    normalizer: Instance,
+    /// One for each port to memory.
+    normalizers: Vec<Instance>,
 }
 
 /// Places the compiled units and collects their manifests.
@@ -49,10 +52,23 @@ fn place(
         setup: datapath(m, "setup", setup::datapath(config, options)?),
         splitter: m.instance("splitter", splitter::module(config)),
         lanes: Lanes::place(m, config, options)?,
-        normalizer: datapath(m, "normalizer", normalizer::datapath(config, options)?),
+        normalizers: normalizers(m, config, normalizer::datapath(config, options)?, &mut manifests),
     };
     manifests.extend(instances.lanes.manifests.clone());
     Ok((instances, manifests))
+}
+
+/// A normalizer for each port to memory, the first without a number.
+fn normalizers(
+    m: &mut Module,
+    config: &Config,
+    datapath: Datapath,
+    manifests: &mut BTreeMap<String, Manifest>,
+) -> Vec<Instance> {
+    const NAME: &str = "normalizer";
+    manifests.insert(NAME.to_owned(), datapath.manifest);
+    let module = Rc::new(datapath.module);
+    (0..config.memory_ports as usize).map(|port| m.instance(&numbered(NAME, port), module.clone())).collect()
 }
 
 /// The uniform registers, written by address.
@@ -90,27 +106,59 @@ fn chain(m: &mut Module, config: &Config, instances: &Instances) {
     let set_up = units::setup::PORTS.out.of(m, config, setup);
     PORTS.frame_set_up.event(m, set_up.transfer() & set_up.record.end);
     units::splitter::PORTS.input.feed(m, config, splitter, set_up);
-    pipe(m, config, (splitter, units::splitter::PORTS.out), (lanes.root.distributor, lane::PORTS.input));
+    pipe(m, config, (splitter, units::splitter::PORTS.out), (lanes.root, lane::PORTS.input));
 }
 
-/// Connects the lanes to the reconstruction buffer, and leads finished pixels out as fragments.
+/// Connects the lanes to the reconstruction buffer, and leads finished pixels out as fragments; ports come in the contract's order.
 fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
-    let (lanes, normalizer) = (instances.lanes.root.collector, instances.normalizer);
-    let read = lane::PORTS.read.of(m, config, lanes);
-    PORTS.read.export(m, config, read);
-    let data = PORTS.data.declare(m, config);
-    lane::PORTS.data.feed(m, config, lanes, data);
-    let write = lane::PORTS.write.of(m, config, lanes);
-    PORTS.write.export(m, config, write);
-    let pixel = lane::PORTS.pixel.of(m, config, lanes);
-    if config.rasterizers > 1 {
-        let sent = m.reg_reset("frame_sent", 1, 0);
-        m.next(sent, pixel.transfer() & pixel.record.end);
-        instances.lanes.frame_sent(m, sent.expr());
+    let lanes = &instances.lanes;
+    let clients = || lanes.ports.iter().map(|port| port.memory);
+    for (port, Client { instance, read, .. }) in PORTS.read.iter().zip(clients()) {
+        let read = read.of(m, config, instance);
+        port.export(m, config, read);
     }
-    units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
-    let fragment = units::normalizer::PORTS.out.of(m, config, normalizer);
-    PORTS.fragment.export(m, config, fragment);
+    for (port, Client { instance, data, .. }) in PORTS.data.iter().zip(clients()) {
+        let pixels = port.declare(m, config);
+        data.feed(m, config, instance, pixels);
+    }
+    for (port, Client { instance, write, .. }) in PORTS.write.iter().zip(clients()) {
+        let write = write.of(m, config, instance);
+        port.export(m, config, write);
+    }
+    let mut ends = vec![];
+    for (port, (&Port { pixel: (source, pixel), .. }, &normalizer)) in
+        PORTS.fragment.iter().zip(lanes.ports.iter().zip(&instances.normalizers))
+    {
+        let pixel = pixel.of(m, config, source);
+        ends.push(pixel.transfer() & pixel.record.end);
+        units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
+        let fragment = units::normalizer::PORTS.out.of(m, config, normalizer);
+        port.export(m, config, fragment);
+    }
+    if config.rasterizers > 1 {
+        frame_sent(m, lanes, &ends);
+    }
+}
+
+/// Tells the lanes once the end of a frame has left all ports, of which each says so in one cycle.
+fn frame_sent(m: &mut Module, lanes: &Lanes, ends: &[Expr]) {
+    let frame_leaves = if let [only] = ends {
+        *only
+    } else {
+        let have_ended: Vec<_> = (0..ends.len()).map(|port| m.reg_reset(&numbered("has_ended", port), 1, 0)).collect();
+        let ended: Vec<_> = have_ended.iter().zip(ends).map(|(&has_ended, &ends)| has_ended | ends).collect();
+        let all = m.wire("frame_leaves", cat(ended.iter().copied()).all());
+        have_ended.into_iter().zip(ended).for_each(|(has_ended, ended)| m.next(has_ended, ended & !all));
+        all
+    };
+    let sent = m.reg_reset("frame_sent", 1, 0);
+    m.next(sent, frame_leaves);
+    lanes.frame_sent(m, sent.expr());
+}
+
+/// The name of a port's part: the first has no number.
+fn numbered(name: &str, port: usize) -> String {
+    if port == 0 { name.to_owned() } else { format!("{name}_{port}") }
 }
 
 /// Builds the core.

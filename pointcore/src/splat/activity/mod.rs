@@ -15,11 +15,12 @@ use pointcore_contract::splat::records::StoredPixel;
 use pointcore_golden::splat::Top;
 use pointcore_golden::splat::top::{In, Out, Shown};
 use pointcore_golden::unit::Model;
-use states::{MemoryPort, States};
+use states::States;
 
 /// What the core did in a frame.
 #[derive(Clone, Debug)]
 pub struct Activity {
+    config: Config,
     layout: Layout,
     timeline: Timeline,
     /// By tile: how many of its pixels were written back.
@@ -36,8 +37,9 @@ impl Activity {
         let layout = Layout::new(config);
         let written_back = layout.zeros_by_tile();
         Self {
+            config: config.clone(),
             layout,
-            timeline: Timeline::new(config.rasterizers),
+            timeline: Timeline::new(config.rasterizers, config.memory_ports),
             written_back,
             states: States::new(config),
             samples: None,
@@ -52,16 +54,15 @@ impl Activity {
 
     /// Sees a cycle at the core's ports.
     pub fn see_ports(&mut self, inputs: &In, outputs: &Out) {
-        let Out { read, data_ready, write, events, .. } = outputs;
-        let write = write.as_ref();
-        self.see_write(inputs, write);
-        let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready: *data_ready, write };
-        self.timeline.push(&states::at_ports(&memory, events, self.timeline.count(Unit::Rasterizer)));
+        outputs.write.iter().zip(inputs.write_ready).for_each(|(write, ready)| self.see_write(write.as_ref(), ready));
+        self.timeline.push(&states::at_ports(&self.config, inputs, outputs));
     }
 
     /// Sees a cycle of all units.
     pub fn see_units(&mut self, inputs: &In, shown: &Shown) {
-        self.see_write(inputs, shown.lanes.ports().write.as_ref());
+        for (port, ready) in shown.lanes.at_ports().zip(inputs.write_ready) {
+            self.see_write(port.write.as_ref(), ready);
+        }
         self.timeline.push(&self.states.see(inputs, shown));
         let Some(samples) = &mut self.samples else { return };
         for (number, lane) in shown.lanes.lanes.iter().enumerate() {
@@ -81,8 +82,8 @@ impl Activity {
         }
     }
 
-    fn see_write(&mut self, inputs: &In, write: Option<&StoredPixel>) {
-        if let Some(write) = write.filter(|_| inputs.write_ready) {
+    fn see_write(&mut self, write: Option<&StoredPixel>, ready: bool) {
+        if let Some(write) = write.filter(|_| ready) {
             self.written_back[write.placed.tile as usize] += 1;
         }
     }

@@ -2,10 +2,9 @@
 
 use super::timeline::{Counts, State, Unit};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::StoredPixel;
 use pointcore_contract::splat::units::Events;
 use pointcore_golden::splat::lane;
-use pointcore_golden::splat::top::{In, Shown};
+use pointcore_golden::splat::top::{In, Out, Shown};
 
 /// Cycles that a copy is under way in the tile cache without anything moving, unless it waits for a slot.
 const TILE_CACHE_TRANSIT_CYCLES: u32 = 2;
@@ -99,7 +98,7 @@ impl Passage {
 pub(super) struct States {
     transform: Datapath,
     setup: Datapath,
-    normalizer: Datapath,
+    normalizers: Vec<Datapath>,
     lanes: Vec<Lane>,
 }
 
@@ -108,30 +107,33 @@ impl States {
         Self {
             transform: Datapath::new(config.transform_interval),
             setup: Datapath::new(config.setup_interval),
-            normalizer: Datapath::new(1),
+            normalizers: vec![Datapath::new(1); config.memory_ports as usize],
             lanes: vec![Lane::default(); config.rasterizers as usize],
         }
     }
 
     /// What each unit does in this cycle.
     pub(super) fn see(&mut self, inputs: &In, shown: &Shown) -> Counts {
-        let Shown { transform, setup, splitter, lanes, normalizer, .. } = shown;
-        let lane::Out { in_ready, read, data_ready, ref write, ref pixel, .. } = lanes.ports();
+        let Shown { transform, setup, splitter, lanes, normalizers, .. } = shown;
         let splats = Stream::new(inputs.splat.as_ref(), transform.in_ready);
         let placed = Stream::new(transform.out.as_ref(), setup.in_ready);
         let footprints = Stream::new(setup.out.as_ref(), splitter.in_ready);
-        let copies = Stream::new(splitter.out.as_ref(), in_ready);
-        let finished = Stream::new(pixel.as_ref(), normalizer.in_ready);
-        let fragments = Stream::new(normalizer.out.as_ref(), inputs.fragment_ready);
-
-        let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready, write: write.as_ref() };
-        let mut counts = at_ports(&memory, &lanes.events(), lanes.lanes.len() as u32);
+        let copies = Stream::new(splitter.out.as_ref(), lanes.in_ready());
+        let mut counts = of_rasterizers(&lanes.events(), lanes.lanes.len() as u32);
+        for (port, (at_port, (normalizer, shown))) in
+            lanes.at_ports().zip(self.normalizers.iter_mut().zip(normalizers)).enumerate()
+        {
+            let lane::Out { read, data_ready, write, pixel, .. } = at_port;
+            counts.add(Unit::Memory, memory(inputs, port, read.is_some(), data_ready, write.is_some()), 1);
+            let finished = Stream::new(pixel.as_ref(), shown.in_ready);
+            let fragments = Stream::new(shown.out.as_ref(), inputs.fragment_ready[port]);
+            counts.add(Unit::Normalizer, normalizer.see(finished, fragments), 1);
+        }
         counts.add(Unit::Transform, self.transform.see(splats, placed), 1);
         counts.add(Unit::Setup, self.setup.see(placed, footprints), 1);
         // It makes several copies of a splat, so what is in it cannot be counted.
         counts.add(Unit::Splitter, Passage::default().see(footprints, copies), 1);
-        counts.add(Unit::Normalizer, self.normalizer.see(finished, fragments), 1);
-        let seen = lanes.seen(&shown.lanes_see(inputs, 0));
+        let seen = lanes.seen(splitter.out, &shown.ports_see(inputs, 0));
         for ((lane, shown), seen) in self.lanes.iter_mut().zip(&lanes.lanes).zip(&seen[lanes.lanes.len()..]) {
             lane.see(seen, shown, &mut counts);
         }
@@ -195,42 +197,37 @@ impl Lane {
     }
 }
 
-/// The port to the reconstruction buffer.
-pub(super) struct MemoryPort<'a> {
-    /// What the core sees of it.
-    pub inputs: &'a In,
-    /// Pixels are requested.
-    pub is_reading: bool,
-    /// A pixel is wanted.
-    pub data_ready: bool,
-    /// A pixel is written.
-    pub write: Option<&'a StoredPixel>,
-}
-
-impl MemoryPort<'_> {
-    /// Whether pixels move, or are wanted.
-    const fn state(&self) -> State {
-        let Self { inputs, .. } = self;
-        let data = Stream::new(inputs.data.as_ref(), self.data_ready);
-        let write = Stream { valid: self.write.is_some(), ready: inputs.write_ready };
-        let read = Stream { valid: self.is_reading, ready: inputs.read_ready };
-        if data.moves() || write.moves() {
-            State::Busy
-        } else if write.is_held() || read.is_held() {
-            State::Held
-        } else if data.ready {
-            State::Tile
-        } else {
-            State::Starved
-        }
+/// Whether pixels move at a port to the reconstruction buffer, or are wanted: whether the core asks for some, takes one, writes one.
+const fn memory(inputs: &In, port: usize, reads: bool, takes: bool, writes: bool) -> State {
+    let data = Stream::new(inputs.data[port].as_ref(), takes);
+    let write = Stream { valid: writes, ready: inputs.write_ready[port] };
+    let read = Stream { valid: reads, ready: inputs.read_ready[port] };
+    if data.moves() || write.moves() {
+        State::Busy
+    } else if write.is_held() || read.is_held() {
+        State::Held
+    } else if data.ready {
+        State::Tile
+    } else {
+        State::Starved
     }
 }
 
 /// What the core's ports tell, with nothing of the units behind them.
-pub(super) fn at_ports(memory: &MemoryPort, events: &Events, rasterizers: u32) -> Counts {
+pub(super) fn at_ports(config: &Config, inputs: &In, outputs: &Out) -> Counts {
+    let Out { read, data_ready, write, events, .. } = outputs;
+    let mut counts = of_rasterizers(events, config.rasterizers);
+    for port in 0..config.memory_ports as usize {
+        let state = memory(inputs, port, read[port].is_some(), data_ready[port], write[port].is_some());
+        counts.add(Unit::Memory, state, 1);
+    }
+    counts
+}
+
+/// What events tell of rasterizers and accumulators.
+fn of_rasterizers(events: &Events, rasterizers: u32) -> Counts {
     let Events { sample, starved, blocked, accumulate, hazard, slot_wait } = *events;
     let mut counts = Counts::default();
-    counts.add(Unit::Memory, memory.state(), 1);
     // Without an event no sample inside a splat is at the head of an accumulator.
     let rasterizer = [(State::Busy, sample), (State::Starved, starved), (State::Held, blocked)];
     let accumulator = [(State::Busy, accumulate), (State::Pixel, hazard), (State::Tile, slot_wait)];

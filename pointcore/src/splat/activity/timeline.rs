@@ -23,7 +23,7 @@ pub enum Unit {
     Reorder,
     /// The tile cache.
     TileCache,
-    /// The port to the reconstruction buffer.
+    /// The ports to the reconstruction buffer.
     Memory,
     /// The rasterizer.
     Rasterizer,
@@ -133,12 +133,14 @@ pub struct Timeline {
     missing: u64,
     slices: Vec<Counts>,
     rasterizers: u32,
+    memory_ports: u32,
 }
 
 impl Timeline {
-    /// An empty one, of a core of so many rasterizers.
-    pub(super) fn new(rasterizers: u32) -> Self {
-        Self { slice_cycles: FIRST_SLICE_CYCLES, missing: 0, slices: Vec::with_capacity(SLICES), rasterizers }
+    /// An empty one, of a core of so many rasterizers and ports to memory.
+    pub(super) fn new(rasterizers: u32, memory_ports: u32) -> Self {
+        let slices = Vec::with_capacity(SLICES);
+        Self { slice_cycles: FIRST_SLICE_CYCLES, missing: 0, slices, rasterizers, memory_ports }
     }
 
     /// Adds a cycle.
@@ -181,7 +183,11 @@ impl Timeline {
     /// How many there are of a unit.
     #[must_use]
     pub const fn count(&self, unit: Unit) -> u32 {
-        if unit.is_in_lane() { self.rasterizers } else { 1 }
+        match unit {
+            Unit::Memory | Unit::Normalizer => self.memory_ports,
+            unit if unit.is_in_lane() => self.rasterizers,
+            _ => 1,
+        }
     }
 
     /// Cycles of a unit in a state, slice by slice; those of all where there are [several](Self::count).
@@ -203,7 +209,7 @@ mod tests {
     #[test]
     fn slices_grow_and_no_cycle_is_lost() {
         for cycles in [1_u64, 16, 3_200, 3_201, 12_345, 100_000] {
-            let mut timeline = Timeline::new(1);
+            let mut timeline = Timeline::new(1, 1);
             for cycle in 0..cycles {
                 let state = if cycle % 3 == 0 { State::Busy } else { State::Held };
                 let mut counts = Counts::default();

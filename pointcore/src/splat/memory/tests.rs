@@ -32,7 +32,7 @@ fn written(settings: MemorySettings) -> (ReconstructionBuffer, u64) {
     while pixel < PIXELS as u8 {
         buffer.advance(now);
         if buffer.is_writable(now) {
-            buffer.write(&stored(1, pixel), now);
+            buffer.write(0, &stored(1, pixel), now);
             pixel += 1;
         }
         now += 1;
@@ -42,13 +42,13 @@ fn written(settings: MemorySettings) -> (ReconstructionBuffer, u64) {
 
 /// Requests runs in cycle `now`, takes every pixel as soon as it is offered: cycles and weights.
 fn read(buffer: &mut ReconstructionBuffer, runs: &[PixelRun], now: u64) -> Vec<(u64, u32)> {
-    runs.iter().for_each(|run| buffer.request(*run, now));
+    runs.iter().for_each(|run| buffer.request(0, *run, now));
     let mut seen = vec![];
     for cycle in now..now + 2000 {
         buffer.advance(cycle);
-        if let Some(pixel) = buffer.offer(cycle) {
+        if let Some(pixel) = buffer.offer(0, cycle) {
             seen.push((cycle - now, pixel.weight));
-            buffer.take();
+            buffer.take(0);
         }
     }
     seen
@@ -84,7 +84,7 @@ fn reads_and_writes_share_a_bandwidth() {
     let (mut buffer, last) = written(settings(0.5));
     assert_eq!(last, 126, "a write every second cycle");
     // A read in the midst of writes waits for the bus, and they for the read.
-    buffer.request(whole(0), 200);
+    buffer.request(0, whole(0), 200);
     buffer.advance(201);
     assert!(!buffer.is_writable(201) && !buffer.is_writable(328) && buffer.is_writable(329));
     assert_eq!(buffer.traffic().busy_cycles, 256);
@@ -100,4 +100,38 @@ fn bursts_are_moved_whole_and_once() {
     assert_eq!(buffer.traffic().bytes, tile, "pixels of a burst share it");
     read(&mut buffer, &[run(2, 1)], 100);
     assert_eq!(buffer.traffic().bytes, tile + 64, "a single pixel takes a burst");
+}
+
+#[test]
+fn every_port_moves_a_pixel_a_cycle_and_all_share_a_bandwidth() {
+    let config = Config { rasterizers: 2, memory_ports: 2, ..config() };
+    let bytes = f64::from(pixel_bytes(&config));
+    for (bytes_per_cycle, last, busy_cycles) in [(None, 63, 64), (Some(bytes), 127, 256)] {
+        let settings = MemorySettings { latency_cycles: 3, bytes_per_cycle, ..ReconstructionBuffer::SETTINGS };
+        let mut buffer = ReconstructionBuffer::new(&config, settings);
+        let (mut now, mut pixels) = (0, 0);
+        while pixels < PIXELS as u8 {
+            if buffer.is_writable(now) {
+                (0..2).for_each(|port| buffer.write(port, &stored(port as u32, pixels), now));
+                pixels += 1;
+            }
+            now += 1;
+        }
+        assert_eq!(now - 1, last - u64::from(bytes_per_cycle.is_some()), "two pixels at once");
+        (0..2).for_each(|port| buffer.request(port, whole(port as u32), now));
+        let mut came = [vec![], vec![]];
+        for cycle in now..now + 400 {
+            buffer.advance(cycle);
+            for (port, came) in came.iter_mut().enumerate() {
+                if let Some(pixel) = buffer.offer(port, cycle) {
+                    came.push((cycle - now, pixel.weight));
+                    buffer.take(port);
+                }
+            }
+        }
+        assert!(came.iter().all(|came| came.iter().map(|(_, weight)| *weight).eq(100..164)));
+        let [first, second] = came.map(|came| came[63].0);
+        assert!(first < second && second <= 3 + last + 32, "{first}, {second}");
+        assert_eq!(buffer.traffic().busy_cycles, busy_cycles);
+    }
 }
