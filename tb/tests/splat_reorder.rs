@@ -13,12 +13,12 @@ const COPIES: u64 = 1200;
 /// Fields of noise, in frames of two lengths, an empty frame among them.
 fn copies(config: &Config) -> Vec<TileCopy> {
     let mut random = scene::random();
+    let tiles = scene::tiles(config);
     let copy = |index| {
         let mut copy: TileCopy = scene::noise(config, &mut random);
         copy.end = index % 300 == 299 || [20, 21].contains(&index);
-        if index % 64 < 32 {
-            copy.tile %= 4;
-        }
+        let spread = if index % 64 < 32 { 4 } else { tiles.len() };
+        copy.tile = tiles[copy.tile as usize % spread];
         copy
     };
     (0..COPIES).map(copy).collect()

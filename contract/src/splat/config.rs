@@ -324,6 +324,19 @@ impl Config {
         self.tile_bits() - self.rasterizer_bits()
     }
 
+    /// Bits of the column in a tile's place among those of its rasterizer.
+    #[must_use]
+    pub const fn place_column_bits(&self) -> u32 {
+        self.tile_column_bits() - self.rasterizer_bits()
+    }
+
+    /// Column and row of the last place that has a tile of the image: some rasterizer's, if not each one's.
+    #[must_use]
+    pub const fn last_place(&self) -> [u32; 2] {
+        let [last_column, last_row] = [(self.width - 1) / TILE_SIZE, (self.height - 1) / TILE_SIZE];
+        [last_column >> self.rasterizer_bits(), last_row]
+    }
+
     /// Tiles that the reconstruction buffer holds.
     #[must_use]
     pub const fn buffer_tiles(&self) -> usize {

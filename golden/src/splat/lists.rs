@@ -24,8 +24,8 @@ struct List {
 pub struct Lists {
     share: Share,
     tiles_in_turn: usize,
-    /// Tiles whose lists are known to be empty after reset.
-    cleared: usize,
+    /// The place of the tile whose list becomes empty next after reset.
+    clears: Option<u32>,
     /// The last pointer of every tile's list, if it has one that was not opened.
     lasts: Vec<Option<u16>>,
     /// The pointer behind each in its list.
@@ -56,7 +56,7 @@ impl Lists {
         Self {
             share: Share::new(config),
             tiles_in_turn: config.turns() as usize,
-            cleared: 0,
+            clears: Some(0),
             lasts: vec![None; 1 << config.place_bits()],
             links: vec![0; pointers],
             second: false,
@@ -127,8 +127,8 @@ impl Model for Lists {
 
     fn clock(&mut self, inputs: &In) {
         let (mut opens, mut leaving, mut begins) = (false, None, None);
-        if self.cleared < self.lasts.len() {
-            self.cleared += 1;
+        if let Some(place) = self.clears {
+            self.clears = self.share.following(place);
         } else if self.second {
             [leaving, begins] = self.append(inputs.input);
             self.second = false;

@@ -104,8 +104,9 @@ pub fn module(config: &Config) -> Module {
     // After reset no tile has a list.
     let clearing = m.reg_reset("clearing", 1, 1);
     let cleared = m.reg_reset("cleared", place_bits, 0);
-    m.next_if(cleared, clearing, cleared.add_lit(1));
-    m.next_if(clearing, cleared.all(), bit(false));
+    let (next, is_last) = share::following(config, *cleared);
+    m.next_if(cleared, clearing, next);
+    m.next_if(clearing, is_last, bit(false));
     let second = m.reg_reset("second", 1, 0);
     m.next(second, !(clearing | second));
 

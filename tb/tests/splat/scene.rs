@@ -4,6 +4,7 @@ use fastrand::Rng;
 use pointcore::number::encode_attribute;
 use pointcore::splat::END;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{
     Attributes, CompleteCopy, EpsilonScale, ModelView, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
 };
@@ -141,6 +142,12 @@ pub fn footprints(config: &Config, count: usize) -> Vec<SetupSplat> {
     let Uniforms { viewport, epsilon, near_plane, filter_radius, .. } = registers(config);
     let see = |input| setup::In { input, out_ready: true, viewport, epsilon, near_plane, filter_radius };
     through(Setup::new(config, 1), &camera(config, count), see, |shown| (shown.in_ready, shown.out))
+}
+
+/// The tiles of the image.
+pub fn tiles(config: &Config) -> Vec<u32> {
+    let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(TILE_SIZE));
+    (0..rows).flat_map(|row| (0..columns).map(move |column| row << config.tile_column_bits() | column)).collect()
 }
 
 /// Copies of splats, one a tile.

@@ -8,13 +8,22 @@ pub struct Share {
     /// Bits of a rasterizer's number.
     bits: u32,
     tile_column_bits: u32,
+    /// Bits of the column in a place.
+    place_column_bits: u32,
+    /// Column and row of the last place in the image.
+    last: [u32; 2],
 }
 
 impl Share {
     /// Between the rasterizers of a configuration.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        Self { bits: config.rasterizer_bits(), tile_column_bits: config.tile_column_bits() }
+        Self {
+            bits: config.rasterizer_bits(),
+            tile_column_bits: config.tile_column_bits(),
+            place_column_bits: config.place_column_bits(),
+            last: config.last_place(),
+        }
     }
 
     /// What a row adds to the number of its tiles: its lowest bits in reverse order.
@@ -32,6 +41,20 @@ impl Share {
     #[must_use]
     pub const fn place(self, tile: u32) -> u32 {
         tile >> self.bits
+    }
+
+    /// The place behind another in the image, row by row.
+    #[must_use]
+    pub const fn following(self, place: u32) -> Option<u32> {
+        let [last_column, last_row] = self.last;
+        let (row, column) = (place >> self.place_column_bits, place & ((1 << self.place_column_bits) - 1));
+        if column < last_column {
+            Some(place + 1)
+        } else if row < last_row {
+            Some((row + 1) << self.place_column_bits)
+        } else {
+            None
+        }
     }
 
     /// The tile in a place of a rasterizer.
@@ -59,6 +82,24 @@ mod tests {
                 counts[rasterizer as usize] += 1;
             }
             assert!(counts.iter().all(|count| *count == 1 << config.place_bits()), "{counts:?}");
+        }
+    }
+
+    #[test]
+    fn every_tile_of_the_image_is_in_one_of_the_places_that_follow_each_other() {
+        for (rasterizers, width, height) in
+            [(1, 64, 64), (1, 65, 8), (2, 8, 40), (2, 72, 24), (4, 100, 100), (8, 520, 72)]
+        {
+            let config = Config { rasterizers, width, height, ..Config::default() };
+            let share = Share::new(&config);
+            let places: Vec<u32> = std::iter::successors(Some(0), |place| share.following(*place)).collect();
+            assert!(places.is_sorted_by(|a, b| a < b));
+            let [columns, rows] = [width, height].map(|edge| edge.div_ceil(8));
+            let row_bits = config.tile_column_bits();
+            let tiles = (0..rows).flat_map(|row| (0..columns).map(move |column| row << row_bits | column));
+            assert!(tiles.map(|tile| share.place(tile)).all(|place| places.contains(&place)));
+            let most = columns.div_ceil(rasterizers) * rows;
+            assert_eq!(places.len(), most as usize, "{width}×{height}");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::pending::SurfacePlace;
 use super::{In, TileCache};
+use crate::splat::parts::share::Share;
 use crate::stream::Fifo;
 use pointcore_contract::splat::config::GONE_TILES;
 use pointcore_contract::splat::records::FinishedPixel;
@@ -24,7 +25,7 @@ pub struct Leaving {
     pub surface: Option<bool>,
     /// All of it is drawn, and in memory.
     pub given: bool,
-    /// The place that is looked at next, among all; none is left where all were.
+    /// The place that is looked at next, among all of the image; none is left where all were.
     next: Option<u32>,
     /// Places of tiles that were written back meanwhile.
     pub gone: Fifo<u32>,
@@ -69,11 +70,11 @@ impl Leaving {
     }
 
     /// The next tile is looked at: one that was written back meanwhile, or the next of all. Returns whether it is one of those.
-    pub fn look(&mut self, places: usize) -> bool {
+    pub fn look(&mut self, share: Share) -> bool {
         let gone = self.gone.out().copied();
         let place = gone.or_else(|| {
             let next = self.next?;
-            self.next = Some(next + 1).filter(|next| (*next as usize) < places);
+            self.next = share.following(next);
             Some(next)
         });
         self.looked_at = place.map(|place| (place, Look::Read));
@@ -117,7 +118,7 @@ impl TileCache {
                 self.leaving.close(!self.is_alone);
                 close = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
             }
-            None => pops = self.leaving.look(places),
+            None => pops = self.leaving.look(self.share),
             Some((place, Look::Read)) => {
                 if !seen.reads_taken {
                     let at = SurfacePlace { surface, place };
@@ -134,9 +135,9 @@ impl TileCache {
                     let tile = self.share.tile(inputs.number.into(), place);
                     self.traffic.want(surface, tile, mask, true);
                     self.stored[SurfacePlace { surface, place }.word(places)] = 0;
-                    pops = self.leaving.look(places);
+                    pops = self.leaving.look(self.share);
                 } else if !may_leave {
-                    pops = self.leaving.look(places);
+                    pops = self.leaving.look(self.share);
                 }
             }
         }

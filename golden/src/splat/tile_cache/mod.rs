@@ -55,8 +55,8 @@ enum Turn {
 pub struct TileCache {
     share: Share,
     is_alone: bool,
-    /// Words of memory of which something is known after reset.
-    cleared: usize,
+    /// The place of a surface, among those of the image, of which memories are cleared next after reset.
+    clears: Option<SurfacePlace>,
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
@@ -93,7 +93,7 @@ impl TileCache {
         Self {
             share: Share::new(config),
             is_alone: config.rasterizers == 1,
-            cleared: 0,
+            clears: Some(SurfacePlace { surface: false, place: 0 }),
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
             turn: Turn::New,
@@ -113,7 +113,7 @@ impl TileCache {
 
     /// Whether memories hold what they should after reset.
     const fn is_clear(&self) -> bool {
-        self.cleared == self.stored.len()
+        self.clears.is_none()
     }
 
     /// Places that a surface has.
@@ -302,10 +302,14 @@ impl Model for TileCache {
         let next = self.next;
         let misses = self.is_clear() && self.turn == Turn::Idle && job.is_none() && self.head_misses();
         let skips = self.skip();
-        if !self.is_clear() {
-            self.stored[self.cleared] = 0;
-            self.pending.clear(self.cleared);
-            self.cleared += 1;
+        if let Some(SurfacePlace { surface, place }) = self.clears {
+            let word = SurfacePlace { surface, place }.word(self.places());
+            self.stored[word] = 0;
+            self.pending.clear(word);
+            self.clears = match self.share.following(place) {
+                Some(place) => Some(SurfacePlace { surface, place }),
+                None => (!surface).then_some(SurfacePlace { surface: true, place: 0 }),
+            };
         } else if let Some(copy) = self.head {
             if copy.end {
                 switches = self.switch(skips);

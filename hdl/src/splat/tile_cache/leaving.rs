@@ -5,6 +5,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{GONE_TILES, TILE_PIXELS};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
+use super::share;
 use super::state::State;
 use crate::stream::fifo_distributed;
 use crate::units::ports::{Flow, WordPort};
@@ -25,7 +26,7 @@ pub(super) struct Leaving {
     /// One does: until all of it is drawn it is the one that is drawn.
     pub leaves: Reg,
     pub given: Reg,
-    /// The place that is looked at next, among all, if one is left.
+    /// The place that is looked at next, among all of the image, if one is left.
     next: Reg,
     any_next: Reg,
     /// The place that is looked at, step by step: memories are read, they show it, it is judged.
@@ -108,8 +109,9 @@ impl Leaving {
         let looks = m.wire("looks", (self.leaves & idle) | (sends | (self.seen & !may_leave)));
         m.drive(waiting.ready, looks);
         let from_next = m.wire("looks_at_next", (looks & !waiting.valid) & self.any_next);
-        m.next_if(self.next, begins | from_next, begins.mux(lit(self.next.width(), 0), self.next.add_lit(1)));
-        m.next_if(self.any_next, begins | from_next, begins | !self.next.all());
+        let (following, is_last) = share::following(config, *self.next);
+        m.next_if(self.next, begins | from_next, begins.mux(lit(self.next.width(), 0), following));
+        m.next_if(self.any_next, begins | from_next, begins | !is_last);
         m.next_if(self.place, looks, waiting.valid.mux(waiting.record.place, *self.next));
         let read = m.wire("look_is_read", self.reading & !around.reads_taken);
         let starts = from_next | (looks & waiting.valid);

@@ -146,9 +146,10 @@ struct StoredMasks {
 }
 
 /// Clears the memories after reset, a word of each a cycle.
-fn clear(m: &mut Module, state: &State) {
-    m.next_if(state.cleared, state.clearing, state.cleared.add_lit(1));
-    m.next(state.clearing, state.clearing & !state.cleared.all());
+fn clear(m: &mut Module, config: &Config, state: &State) {
+    let (next, is_last) = share::following(config, *state.cleared);
+    m.next_if(state.cleared, state.clearing, next);
+    m.next(state.clearing, state.clearing & !is_last);
 }
 
 /// Items that its queues hold.
@@ -185,7 +186,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     PORTS.slot_ready.drive_word(&mut m, directory.ready());
     let retire = PORTS.retire.declare(&mut m, config);
     let leaving = Leaving::new(&mut m, config);
-    clear(&mut m, &state);
+    clear(&mut m, config, &state);
 
     let draws_what_leaves = m.wire("draws_what_leaves", leaving.leaves & !leaving.given);
     // The mask of the tile that is looked at becomes empty.
