@@ -7,6 +7,8 @@ use std::process::Command;
 
 /// A small renderer.
 const SPLATTING: &str = "kind = \"splat\"\nimage = { width = 64, height = 64 }\nfeatures = { geometry = \"f24-ftz\", continuous = 2 }\nimplementation.heap_levels = 5\n";
+/// One of four rasterizers and two ports to memory, which a bus leads to one; no edge of its image is a power of two.
+const WIDE: &str = "kind = \"splat\"\nimage = { width = 72, height = 40 }\nfeatures = { geometry = \"bf16\", continuous = 1 }\nimplementation = { heap_levels = 4, rasterizers = 4, memory_ports = 2, tile_slots = 2 }\n";
 /// A small search core with a tree cache and a neighbor cache.
 const CACHED: &str = "kind = \"search\"\nfeatures = { neighbors = 1, tree_depth = 3, bucket = 4, neighbor_cache = 2 }\nimplementation = { threads = 2, tree_cache = 16 }\n";
 /// A small search core whose point memory holds a few points, each in a beat of its own.
@@ -46,10 +48,10 @@ fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) 
 #[test]
 fn the_test_that_goes_with_a_core_passes_and_finds_faults() {
     let workplace = Workplace::new();
-    for (core, config) in [("splat", SPLATTING), ("search", CACHED)] {
+    for (name, core, config) in [("a", "splat", SPLATTING), ("b", "splat", WIDE), ("c", "search", CACHED)] {
         workplace.write("config.toml", config);
-        workplace.succeeds(&["gen", "config.toml", "-o", core]);
-        check(core, &workplace.path().join(core));
+        workplace.succeeds(&["gen", "config.toml", "-o", name]);
+        check(core, &workplace.path().join(name));
     }
 }
 
@@ -73,7 +75,8 @@ fn check(core: &str, folder: &Path) {
 #[test]
 fn the_test_that_goes_with_an_axi_top_passes_and_finds_faults() {
     let workplace = Workplace::new();
-    for (name, core, config) in [("a", "splat", SPLATTING), ("b", "search", CACHED), ("c", "search", NARROW)] {
+    let configs = [("splat", SPLATTING), ("splat", WIDE), ("search", CACHED), ("search", NARROW)];
+    for (name, (core, config)) in ["a", "b", "c", "d"].into_iter().zip(configs) {
         workplace.write("config.toml", config);
         workplace.succeeds(&["gen", "config.toml", "-o", name]);
         let folder = workplace.path().join(name);

@@ -231,7 +231,7 @@ module splat_axi_test;
     localparam WORDS = 24695, ANSWERS = 72;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
-    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 6;
+    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 6, EVENT_BITS = 1;
     localparam [31:0] NAME_MASK = 32'h1f80000, SECOND_NAME_MASK = 32'h1f8, END_MASK = 32'h1;
     localparam TILES = 8192, PIXEL_BEATS = 8;
     wire s_axil_awvalid;
@@ -291,7 +291,7 @@ module splat_axi_test;
     wire irq;
     wire something_moves, memory_idle;
     wire [31:0] all_memory_errors, all_misplaced;
-    wire [EVENTS-1:0] events;
+    wire [EVENTS*EVENT_BITS-1:0] events;
 
     // Channels, as pauses are told by.
     localparam AW = 0, W = 1, B = 2, AR = 3, R = 4, SEND = 5, RECEIVE = 6, READ_ADDRESS = 7, READ_DATA = 8;
@@ -391,7 +391,7 @@ module splat_axi_test;
     reg in_run = 1'b0;
     reg [1:0] in_run_before = 2'd0;
     reg saw_answer = 1'b0;
-    reg [EVENTS-1:0] events_1, events_2;
+    reg [EVENTS*EVENT_BITS-1:0] events_1, events_2;
     reg [31:0] event_count [0:EVENTS-1];
     reg [31:0] run_cycles = 32'd0;
     reg [31:0] packets_out = 32'd0;
@@ -411,7 +411,7 @@ module splat_axi_test;
             for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= 32'd0;
         end else if (was_in_run) begin
             run_cycles <= run_cycles + 32'd1;
-            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= event_count[k] + {31'd0, events_2[k]};
+            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= event_count[k] + 32'd0 + events_2[k*EVENT_BITS +: EVENT_BITS];
             if (irq) begin
                 in_run <= 1'b0;
                 in_run_before <= 2'b00;

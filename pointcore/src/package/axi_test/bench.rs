@@ -119,6 +119,11 @@ impl Bench<'_> {
         )
     }
 
+    /// Bits of each event: several rasterizers are counted.
+    fn event_bits(&self) -> u32 {
+        self.events.iter().map(|event| event.width).max().unwrap_or(1)
+    }
+
     /// What the parts know of each other.
     fn joints(&self) -> String {
         let mut moves = vec!["b_moves", "r_moves", "send_take", "receive_moves", "waits_by_script"];
@@ -154,12 +159,13 @@ impl Bench<'_> {
         let mut text = format!(
             "    localparam WORDS = {words}, ANSWERS = {answers};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
              localparam FILE = \"{name}_test.hex\";\n    \
-             localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {};\n    \
+             localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {}, EVENT_BITS = {};\n    \
              localparam [31:0] NAME_MASK = 32'h{first:x}, SECOND_NAME_MASK = 32'h{second:x}, END_MASK = 32'h{end_mask:x};\n",
             bus.stream_bits,
             bus.memory_bits,
             packet_bytes / 4,
             self.events.len(),
+            self.event_bits(),
         );
         if let Some(Buffer { tiles, pixel_beats }) = &self.buffer {
             text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
@@ -184,7 +190,7 @@ impl Bench<'_> {
         text += &format!("module {name}_test;\n{}", self.parameters());
         text += &self.nets();
         text += "    wire something_moves, memory_idle;\n    wire [31:0] all_memory_errors, all_misplaced;\n    \
-                 wire [EVENTS-1:0] events;\n\n";
+                 wire [EVENTS*EVENT_BITS-1:0] events;\n\n";
         text += MAIN;
         let mut operations = String::new();
         if self.has_window {

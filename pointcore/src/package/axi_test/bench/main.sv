@@ -96,7 +96,7 @@
     reg in_run = 1'b0;
     reg [1:0] in_run_before = 2'd0;
     reg saw_answer = 1'b0;
-    reg [EVENTS-1:0] events_1, events_2;
+    reg [EVENTS*EVENT_BITS-1:0] events_1, events_2;
     reg [31:0] event_count [0:EVENTS-1];
     reg [31:0] run_cycles = 32'd0;
     reg [31:0] packets_out = 32'd0;
@@ -116,7 +116,7 @@
             for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= 32'd0;
         end else if (was_in_run) begin
             run_cycles <= run_cycles + 32'd1;
-            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= event_count[k] + {31'd0, events_2[k]};
+            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= event_count[k] + 32'd0 + events_2[k*EVENT_BITS +: EVENT_BITS];
             if (irq) begin
                 in_run <= 1'b0;
                 in_run_before <= 2'b00;

@@ -98,7 +98,10 @@ impl<'a> Host<'a> {
         // Those of a tile come in their order, tiles in any.
         let mut answers = vec![];
         for frame in frames {
-            for fragments in self.frames[*frame].fragments.chunk_by(|one, other| tile(one) == tile(other)) {
+            let mut fragments = self.frames[*frame].fragments.clone();
+            // Tiles of several rasterizers come interleaved.
+            fragments.sort_by_key(|fragment| (fragment.end, tile(fragment)));
+            for fragments in fragments.chunk_by(|one, other| tile(one) == tile(other)) {
                 let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
                 answers.push((self.control.script.data(&packets), fragments.len() as u32));
             }
@@ -143,7 +146,8 @@ impl<'a> Host<'a> {
         self.control.script.write(INTERRUPT_ENABLE, 1);
     }
 
-    /// Frames that follow each other in a run, each started and looked at anew while the one before is drawn.
+    /// Frames that follow each other in a run, each started and looked at anew while the one before is drawn: it ends no sooner than
+    /// that, however fast the hardware is.
     pub fn run_ahead(&mut self) {
         let first = self.now;
         for pauses in [Pauses::None, Pauses::Some] {
@@ -153,18 +157,28 @@ impl<'a> Host<'a> {
             let mut count = 0;
             for (place, frame) in AHEAD.into_iter().enumerate() {
                 self.look(frame);
-                match place {
-                    0 => self.control.start(),
-                    _ => self.control.script.start_ahead(),
+                if place == 0 {
+                    self.control.start();
+                } else {
+                    self.control.script.start_ahead();
+                    self.send_end(AHEAD[place - 1]);
                 }
-                self.send_all();
-                count += self.count();
                 self.control.script.wait_low(WAITING);
+                self.now = frame;
+                (0..self.count() - 1).for_each(|index| self.send(index));
+                count += self.count();
             }
+            self.send_end(AHEAD[AHEAD.len() - 1]);
             self.control.script.wait_received(0);
             self.control.finish(count);
         }
         self.look(first);
+    }
+
+    /// Sends the packet that ends a frame.
+    fn send_end(&mut self, frame: usize) {
+        self.now = frame;
+        self.send(self.count() - 1);
     }
 
     /// A frame with broken packets among the good ones, a start that waits for it, and all that must not be done then.
