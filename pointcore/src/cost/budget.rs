@@ -225,13 +225,7 @@ mod tests {
             assert!(luts(smaller) <= luts(&free) / share, "{:?}", smaller.tried);
             assert!(larger.tried.last().map(|tried| tried.cycles) < smaller.tried.last().map(|tried| tried.cycles));
             let Config {
-                rasterizers,
-                memory_ports,
-                transform_interval,
-                setup_interval,
-                heap_levels,
-                splat_levels,
-                ..
+                rasterizers, memory_ports, transform_interval, setup_interval, heap_levels, splat_levels, ..
             } = larger.plan.config;
             let sizes = Config {
                 rasterizers,

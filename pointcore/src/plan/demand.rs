@@ -44,7 +44,7 @@ const SAMPLES_TRIED: usize = 1 << 14;
 const SHARE: f64 = 0.8;
 /// A share of the rasterizers' cycles: what the frame's pixels may take to leave, before which they go to memory and come back more
 /// than once.
-const PIXELS_SHARE: f64 = 0.5;
+const PIXELS_SHARE: f64 = 0.25;
 /// More cycles a splat save next to nothing.
 const INTERVAL_MAX: u32 = 8;
 
@@ -160,15 +160,15 @@ impl Demand {
     }
 
     /// Pixels of the tiles that splats lie in, at most.
-    fn pixels(&self) -> usize {
+    pub(super) fn pixels(&self) -> usize {
         self.tiles().map(|edge| (edge * TILE_SIZE) as usize).into_iter().product()
     }
 
     /// Ports to memory for so many rasterizers: as many as let the frame's pixels leave, one a cycle each, in no more than a share of
-    /// the time that samples take.
+    /// the time that samples take, and a pixel for each copy come back, whose tile may have gone.
     pub(super) fn memory_ports(&self, rasterizers: u32) -> u32 {
         let cycles = PIXELS_SHARE * self.load.samples as f64 / f64::from(rasterizers);
-        let needed = (self.pixels() as f64 / cycles.max(1.0)).ceil() as u32;
+        let needed = ((self.pixels() + self.copies) as f64 / cycles.max(1.0)).ceil() as u32;
         needed.next_power_of_two().min(rasterizers).clamp(1, MEMORY_PORTS_MAX)
     }
 

@@ -143,6 +143,17 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
         ),
         Choice {
             effect: None,
+            part: "memory ports",
+            chosen: config.memory_ports.to_string(),
+            reason: format!(
+                "up to {} pixels leave, one a cycle at each, and {copies} copies bring some back; rasterizers take {} of {} samples a cycle",
+                demand.pixels(),
+                config.rasterizers,
+                demand.load.samples
+            ),
+        },
+        Choice {
+            effect: None,
             part: "transform, setup",
             chosen: format!("{interval} cycles a splat"),
             reason: format!(

@@ -244,6 +244,19 @@ fn copies_wait_while_a_frame_leaves() {
 }
 
 #[test]
+fn ports_let_pixels_leave_while_samples_are_drawn() {
+    let ports = |rasterizers: u32, tiles: u32, samples| {
+        let load = Load { splats: 1, samples };
+        Demand { load, tiles: Some([[0, tiles - 1]; 2]), ..Demand::default() }.memory_ports(rasterizers)
+    };
+    // 65,536 pixels beside 400,000 samples, and beside few and many.
+    assert_eq!([1, 2, 4, 8].map(|rasterizers| ports(rasterizers, 32, 400_000)), [1, 2, 4, 4]);
+    assert_eq!([1, 4, 8].map(|rasterizers| ports(rasterizers, 32, 1000)), [1, 4, 4]);
+    assert_eq!([1, 4, 8].map(|rasterizers| ports(rasterizers, 32, 4_000_000)), [1, 1, 1]);
+    assert_eq!([4, 8].map(|rasterizers| ports(rasterizers, 1, 4000)), [1, 1]);
+}
+
+#[test]
 fn lanes_have_their_share_of_all_copies() {
     let planned = |rasterizers: u32| {
         let text = format!("{HEAD}{DUST}[overrides]\nrasterizers = {rasterizers}\n");
