@@ -2,6 +2,7 @@
 
 use super::Plan;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::ATTRIBUTES_MAX;
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use serde::Serialize;
 
@@ -79,7 +80,7 @@ impl Effect {
 }
 
 impl Plan {
-    /// The same hardware with another extent of one effect.
+    /// The same hardware with another extent of one effect, or as it is where no hardware has so many attributes, or so few.
     #[must_use]
     pub fn at(&self, effect: Effect, extent: EffectExtent) -> Self {
         use pointcore_contract::splat::Feature::{Off, On};
@@ -107,7 +108,11 @@ impl Plan {
             Effect::HeapLevels => config.heap_levels = size(config.heap_levels, default.heap_levels),
             Effect::TileSlots => config.tile_slots = size(config.tile_slots, default.tile_slots),
         }
-        plan
+        if (1..=ATTRIBUTES_MAX).contains(&config.attributes()) {
+            plan
+        } else {
+            Self { choices: Vec::new(), ..self.clone() }
+        }
     }
 
     /// The same frame on hardware with everything in: what leaving parts out is measured against.

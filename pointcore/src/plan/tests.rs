@@ -124,6 +124,17 @@ const FLOOR: &str = "camera = { eye = [0, 0.1, 0], target = [0, 0, -5], fov_degr
                      [[object]]\nkind = \"plane\"\npoints = 100\nsize = 4\n";
 
 #[test]
+fn no_extent_of_an_effect_is_more_than_hardware_has() {
+    let plan = plan(&format!("{HEAD}{SPHERE}[overrides]\ncontinuous = 14\n")).expect("the scene is good");
+    let extents = Effect::ALL
+        .into_iter()
+        .flat_map(|effect| [EffectExtent::Least, EffectExtent::Most].map(|extent| (effect, extent)));
+    let plans = extents.map(|(effect, extent)| plan.at(effect, extent)).chain([plan.with_everything()]);
+    plans.for_each(|plan| assert_eq!(plan.config.validate(), Ok(())));
+    assert_eq!(plan.with_everything().config.continuous, 14);
+}
+
+#[test]
 fn the_eye_plane_is_seen_to_where_a_splat_reaches_it() {
     let floor = plan(FLOOR).expect("the scene is good").config;
     assert_eq!(floor.eye_plane, Feature::On);
