@@ -8,6 +8,7 @@ mod fixed_distance;
 mod tests;
 
 use super::parts::division::squared_ratio;
+use super::parts::place;
 use crate::datapath::{Datapath, Token};
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
@@ -167,7 +168,7 @@ impl Rasterizer {
 
     /// From the splat's projected centre to a sample, px.
     fn offset(&self, footprint: &Footprint, sample: [u32; 2]) -> [Number; 2] {
-        let [x, y] = self.sample_position(sample);
+        let [x, y] = place::position(self.format, self.sampling, sample);
         let [center_x, center_y] = footprint.center.map(|bits| Number::new(self.format, bits));
         [x - center_x, y - center_y]
     }
@@ -188,7 +189,7 @@ impl Rasterizer {
     #[must_use]
     pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
         if let Some(fixed) = &self.fixed {
-            return fixed.squared(footprint, self.sample_eighths(pixel), filter_scale);
+            return fixed.squared(footprint, place::eighths(self.sampling, pixel), filter_scale);
         }
         let number = |bits| Number::new(self.format, bits);
         let [x, y] = self.offset(footprint, pixel);
@@ -212,31 +213,6 @@ impl Rasterizer {
         };
         let has_disc = self.has_screen_filter && (sight.disc || !self.eye_plane.is_on());
         if has_disc { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
-    }
-
-    /// Where the sample of a column and a row lies, px.
-    fn sample_position(&self, sample: [u32; 2]) -> [Number; 2] {
-        const POSITION_BITS: u32 = 16;
-        const FRACTION_BITS: u32 = 3;
-        let eighths = self.sample_eighths(sample);
-        eighths.map(|place| Number::from_fixed(self.format, u64::from(place), POSITION_BITS, FRACTION_BITS))
-    }
-
-    /// The same in eighths of a pixel.
-    fn sample_eighths(&self, [column, row]: [u32; 2]) -> [u32; 2] {
-        match self.sampling {
-            Sampling::Center => [column * 8 + 4, row * 8 + 4],
-            Sampling::Flipquad => {
-                let pixel = column / 2;
-                let is_even = (pixel + row) % 2 == 0;
-                match (column % 2 == 1, is_even) {
-                    (false, true) => [pixel * 8, row * 8 + 5],
-                    (false, false) => [pixel * 8, row * 8 + 3],
-                    (true, true) => [pixel * 8 + 3, row * 8],
-                    (true, false) => [pixel * 8 + 5, row * 8],
-                }
-            }
-        }
     }
 }
 

@@ -5,12 +5,13 @@ use super::position::{Evaluated, Position};
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile, name};
 use crate::float::exp_neg;
 use crate::splat::parts::division::squared_ratio;
+use crate::splat::parts::place;
 use crate::units::values::{Terms, Values};
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::records::{Band, DepthPlane, LOCAL_BITS, SamplePlace, Sight};
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use pointcore_contract::splat::{Config, RasterFormat};
-use pointcore_contract::{Fixed, Format, Sampling, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
 use std::rc::Rc;
 
 /// exp(−γρ²) for ρ² in `[0, 1]`.
@@ -35,7 +36,7 @@ pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, C
     let squared = match config.raster_format() {
         RasterFormat::Float(format) => floating(config, format, &program, &position),
         RasterFormat::Fixed(coefficient) => {
-            let places = [Axis::X, Axis::Y].map(|axis| place(config.sampling, &program, &position, axis));
+            let places = place::places(config.sampling, &program, [position.column, position.row]);
             Squared::Fixed(fixed_distance::squared(config, coefficient, &program, &position.shape, places))
         }
     };
@@ -73,11 +74,12 @@ pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, C
 fn floating(config: &Config, format: Format, program: &Program, position: &Position<Values>) -> Squared {
     let shape = &position.shape;
     let number = |bits: Value| bits.as_float(format);
-    let offset = |axis: Axis| {
-        let (place, fraction) = place(config.sampling, program, position, axis);
-        place.to_float(format, fraction) - number(shape.center[axis as usize])
+    let places = place::places(config.sampling, program, [position.column, position.row]);
+    let offset = |axis: usize| {
+        let (place, fraction) = places[axis];
+        place.to_float(format, fraction) - number(shape.center[axis])
     };
-    let (x, y) = (offset(Axis::X), offset(Axis::Y));
+    let (x, y) = (offset(0), offset(1));
 
     let s1 = x * number(shape.ay) - y * number(shape.ax);
     let s2 = x * number(shape.by) - y * number(shape.bx);
@@ -101,35 +103,6 @@ fn floating(config: &Config, format: Format, program: &Program, position: &Posit
     let rho_squared = distance;
     name!(x, y, s1, s2, d, rho_squared);
     Squared::Float { format, distance, offset: [x, y] }
-}
-
-/// An axis of the image.
-#[derive(Clone, Copy)]
-enum Axis {
-    X,
-    Y,
-}
-
-/// Place of a sample along an axis, px, as a fixed-point number with its fraction bits.
-fn place(sampling: Sampling, program: &Program, position: &Position<Values>, axis: Axis) -> (Value, u32) {
-    let Position { column, row, .. } = *position;
-    let index = match axis {
-        Axis::X => column,
-        Axis::Y => row,
-    };
-    match sampling {
-        Sampling::Center => (index.cat(program.lit(1, 1)), 1),
-        Sampling::Flipquad => {
-            let is_top = column.bits(0, 0);
-            let odd = column.bits(1, 1) ^ row.bits(0, 0);
-            let [none, three, five] = [0, 3, 5].map(|eighths| program.lit(3, eighths));
-            let (pixel, eighths) = match axis {
-                Axis::X => (index >> 1, is_top.mux(odd.mux(five, three), none)),
-                Axis::Y => (index, is_top.mux(none, odd.mux(three, five))),
-            };
-            (pixel.cat(eighths), 3)
-        }
-    }
 }
 
 /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
