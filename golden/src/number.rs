@@ -105,6 +105,18 @@ impl Number {
         Self { bits: float::sqrt(self.format, self.bits), ..self }
     }
 
+    /// `1/√self`.
+    #[must_use]
+    pub fn rsqrt(self) -> Self {
+        Self { bits: float::rsqrt(self.format, self.bits), ..self }
+    }
+
+    /// About `1/√self`, from a table and Newton steps.
+    #[must_use]
+    pub fn rsqrt_newton(self) -> Self {
+        Self { bits: float::rsqrt_newton(self.format, self.bits), ..self }
+    }
+
     /// The magnitude.
     #[must_use]
     pub const fn abs(self) -> Self {

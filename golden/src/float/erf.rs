@@ -1,4 +1,4 @@
-//! Table of the error function.
+//! Tables of the error function, and of the integral of a kernel by it.
 //!
 //! The argument is `t` in [0, 4) with `index_bits + fraction_bits − 2` fraction bits, the value a fraction of
 //! `2^value_bits − 1`. Beyond 4, erf differs from 1 by less than 2^−25. The interpolated value is within
@@ -15,4 +15,13 @@ pub fn erf_table(shape: TableShape) -> Table {
     const ARGUMENT_END: f64 = 4.0;
     // libm, so that every host computes the same table.
     Table::sample(shape, |t| libm::erf(ARGUMENT_END * t))
+}
+
+/// `∫₀ᵗ exp(−γy²) dy = √(π/4γ)·erf(√γ·t)` for `t` in [0, 1]: sample `i` is that of `i/2^index_bits`, times `2^value_bits − 1`, rounded.
+///
+/// The interpolated value is within `√(2γ/e)/8 · 4^−index_bits` (chord against curve, the largest slope of the kernel) and 3/2 units.
+#[must_use]
+pub fn kernel_integral_table(gamma: f64, shape: TableShape) -> Table {
+    let scale = (std::f64::consts::PI / (4.0 * gamma)).sqrt();
+    Table::sample(shape, |t| scale * libm::erf(gamma.sqrt() * t))
 }

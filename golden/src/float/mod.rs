@@ -31,7 +31,7 @@ pub use add::{add, sub};
 pub use compare::{eq, le, lt};
 pub use convert::convert;
 pub use div::{div, recip};
-pub use erf::erf_table;
+pub use erf::{erf_table, kernel_integral_table};
 pub use exp_neg::kernel_table;
 pub use fma::fma;
 pub use from_fixed::from_fixed;

@@ -1,7 +1,7 @@
 //! The interpolated tables against f64.
 
 use pointcore_contract::TableShape;
-use pointcore_golden::float::{Table, erf_table, kernel_table};
+use pointcore_golden::float::{Table, erf_table, kernel_integral_table, kernel_table};
 
 const SHAPES: [TableShape; 3] = [
     TableShape { index_bits: 4, fraction_bits: 6, value_bits: 8 },
@@ -44,6 +44,17 @@ fn erf_is_within_its_bound() {
         let chord = 2.0 * 0.25_f64.powi(shape.index_bits as i32);
         let slope = 4.0 * std::f64::consts::FRAC_2_SQRT_PI;
         within_bound(&erf_table(shape), shape, chord, slope, |t| simpson_erf(4.0 * t));
+    }
+}
+
+#[test]
+fn the_kernels_integral_is_within_its_bound() {
+    for shape in SHAPES {
+        for gamma in [0.1, 0.5, 2.0, 8.0] {
+            let chord = (2.0 * gamma / std::f64::consts::E).sqrt() / 8.0 * 0.25_f64.powi(shape.index_bits as i32);
+            let integral = |t: f64| simpson_erf(gamma.sqrt() * t) / (std::f64::consts::FRAC_2_SQRT_PI * gamma.sqrt());
+            within_bound(&kernel_integral_table(gamma, shape), shape, chord, 1.0, integral);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Table of the error function over [0, 4].
+//! Tables of the error function over [0, 4], and of the integral of a kernel by it over [0, 1].
 
 use super::parts::table::sample;
 use pointcore_contract::TableShape;
@@ -11,6 +11,13 @@ const END: f64 = 4.0;
 #[must_use]
 pub fn samples(shape: TableShape) -> Vec<u64> {
     sample(shape, |t| erf(END * t))
+}
+
+/// Samples of `∫₀ᵗ exp(−γy²) dy` for [`table::module`](super::parts::table::module).
+#[must_use]
+pub fn integral_samples(gamma: f64, shape: TableShape) -> Vec<u64> {
+    let scale = (PI / (4.0 * gamma)).sqrt();
+    sample(shape, |t| scale * erf(gamma.sqrt() * t))
 }
 
 /// `2/√π · exp(−x²) · Σ 2^n x^(2n+1) / (2n+1)!!`: all terms positive, so none cancel.

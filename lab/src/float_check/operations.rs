@@ -118,6 +118,7 @@ impl Collector {
         let tables = [
             ("exp_neg", hdl::exp_neg::samples(GAMMA, TABLE), golden::kernel_table(GAMMA, TABLE)),
             ("erf", hdl::erf::samples(TABLE), golden::erf_table(TABLE)),
+            ("integral", hdl::erf::integral_samples(GAMMA, TABLE), golden::kernel_integral_table(GAMMA, TABLE)),
         ];
         for (name, samples, table) in tables {
             let operator = hdl::table::module(TABLE, &samples, self.stages(hdl::table::stages(TABLE)));

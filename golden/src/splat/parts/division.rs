@@ -19,6 +19,14 @@ pub(crate) fn sqrt(division: Division, x: Number) -> Number {
     }
 }
 
+/// `1/√x`.
+pub(crate) fn rsqrt(division: Division, x: Number) -> Number {
+    match division {
+        Division::Rounded => x.rsqrt(),
+        Division::Newton => x.rsqrt_newton(),
+    }
+}
+
 /// `(s1² + s2²)/d²`: one quotient of squares, or the squares of two quotients.
 pub(crate) fn squared_ratio(division: Division, [s1, s2]: [Number; 2], d: Number) -> Number {
     match division {

@@ -26,6 +26,14 @@ pub(crate) fn sqrt(division: Division, program: &Program, format: Format, x: Val
     }
 }
 
+/// `1/√x`.
+pub(crate) fn rsqrt(division: Division, x: Value) -> Value {
+    match division {
+        Division::Rounded => x.rsqrt(),
+        Division::Newton => x.rsqrt_newton(),
+    }
+}
+
 /// `(a² + b²)/d²`.
 pub(crate) fn squared_ratio(division: Division, a: Value, b: Value, d: Value) -> Value {
     match division {
