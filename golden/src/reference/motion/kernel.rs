@@ -41,13 +41,13 @@ enum Shape {
 }
 
 #[derive(Clone, Debug)]
-struct Moving {
+pub(super) struct Moving {
     /// At `τ = 0`, in camera space.
-    center: DVec3,
-    motion: DVec3,
-    tangents: [DVec3; 2],
+    pub center: DVec3,
+    pub motion: DVec3,
+    pub tangents: [DVec3; 2],
     /// While it faces the eye, and some of it lies beyond the near and before the far plane.
-    life: Interval,
+    pub life: Interval,
     disc: MovingDisc,
     filter: Option<Filter>,
 }
@@ -80,7 +80,7 @@ impl Filter {
 }
 
 impl Moving {
-    fn new(moving: &MovingSplat, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
+    pub fn new(moving: &MovingSplat, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
         let (middle, tangents) = in_camera_space(&moving.splat, camera);
         let rotation = camera.model_view.map(|row| DVec3::from_slice(&row));
         let motion = DVec3::from_array(rotation.map(|row| row.dot(moving.motion)));
@@ -104,7 +104,7 @@ impl Moving {
     }
 
     /// Every point of the splat moves along a line, also on the screen: what it sweeps lies within the hull of where it begins and ends.
-    fn bounds(&self, camera: &Camera, rendering: &Rendering) -> Result<Bounds, Culled> {
+    pub fn bounds(&self, camera: &Camera, rendering: &Rendering) -> Result<Bounds, Culled> {
         let at = |time: f64| {
             let distance = self.center.z + time * self.motion.z;
             let radius_px = self.filter.as_ref().map_or(0.0, |filter| filter.radius_px_times_distance / distance);

@@ -11,13 +11,16 @@ mod bins;
 mod disc;
 pub mod distance;
 mod exposure;
+mod footprint;
 mod interval;
 mod kernel;
 mod method;
 mod passes;
+pub mod quadrature;
 mod shutter;
 
 pub use exposure::{Exposed, Exposure};
+pub use footprint::{Met, MovingFootprint};
 pub use interval::Interval;
 pub use kernel::{Hit, Kernel, Piece};
 pub use method::{COUNT_LIMIT, Method, UnknownMethod};
@@ -134,7 +137,5 @@ pub fn expose(splats: &[MovingSplat], method: Method, setting: &Setting) -> Expo
     Exposure { width: rendering.width, height: rendering.height, samples }
 }
 
-#[cfg(test)]
-mod quadrature;
 #[cfg(test)]
 mod tests;

@@ -1,3 +1,4 @@
+mod footprint;
 mod integral;
 mod visibility;
 
