@@ -3,6 +3,7 @@
 pub mod attribute;
 pub mod config;
 pub mod division;
+pub mod motion;
 pub mod raster;
 pub mod records;
 pub mod units;

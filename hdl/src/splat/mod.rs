@@ -9,6 +9,7 @@ pub mod distributor;
 pub mod heap;
 pub mod lane;
 pub mod lists;
+pub mod motion_evaluation;
 pub mod normalizer;
 pub mod payloads;
 pub mod rasterizer;
@@ -31,8 +32,8 @@ use rtl::Module;
 /// Describes a unit's hardware in a configuration.
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
-/// Every unit of the renderer and its hardware, the core itself last.
-pub const UNITS: [(&Unit<Config>, Describe); 19] = [
+/// Every unit of the renderer and its hardware, the core itself last. Those of motion stand beside it.
+pub const UNITS: [(&Unit<Config>, Describe); 20] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -51,6 +52,7 @@ pub const UNITS: [(&Unit<Config>, Describe); 19] = [
     (&units::collector::UNIT, |config| Ok(collector::module::<FinishedPixel>(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
     (&units::fragment_collector::UNIT, |config| Ok(collector::module::<Fragment>(config))),
+    (&units::motion_evaluation::UNIT, |config| Ok(motion_evaluation::datapath(config, &Options::default())?.module)),
     (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
 ];
 

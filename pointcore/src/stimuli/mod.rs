@@ -5,6 +5,7 @@
 
 pub mod configuration;
 pub mod frames;
+pub mod motion;
 pub mod pace;
 pub mod renderer;
 pub mod searcher;

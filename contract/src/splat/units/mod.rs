@@ -3,6 +3,7 @@
 mod copies;
 mod events;
 mod lanes;
+mod motion;
 mod samples;
 mod splats;
 mod whole;
@@ -10,6 +11,7 @@ mod whole;
 pub use copies::{heap, lists, payloads, reorder, splitter, tile_cache};
 pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
 pub use lanes::{arbiter, collector, distributor, fragment_collector, lane};
+pub use motion::motion_evaluation;
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
 pub use splats::{setup, transform};
 pub use whole::top;
@@ -17,8 +19,8 @@ pub use whole::top;
 use super::config::Config;
 use crate::Unit;
 
-/// Every unit of the renderer, the core itself last.
-pub static UNITS: [&Unit<Config>; 19] = [
+/// Every unit of the renderer, the core itself last. Those of motion stand beside it.
+pub static UNITS: [&Unit<Config>; 20] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
@@ -37,6 +39,7 @@ pub static UNITS: [&Unit<Config>; 19] = [
     &collector::UNIT,
     &normalizer::UNIT,
     &fragment_collector::UNIT,
+    &motion_evaluation::UNIT,
     &top::UNIT,
 ];
 

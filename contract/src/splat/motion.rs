@@ -1,0 +1,16 @@
+//! Time in the hardware: an exposure and its bins.
+
+use crate::TableShape;
+
+/// Parts of one length into which an exposure falls, each with a pixel of its own.
+pub const TIME_BINS: usize = 4;
+/// Times between which bins lie: of bin `i` those of the places `i` and `i + 1`.
+pub const TIMES: usize = TIME_BINS + 1;
+/// Bits of a time behind the point: a fraction of the exposure.
+pub const TIME_FRACTION_BITS: u32 = 16;
+/// Bits of a time; the exposure's end is one.
+pub const TIME_BITS: u32 = TIME_FRACTION_BITS + 1;
+/// Bits of a splat's share of an exposure: a fraction of one, with more bits than a kernel weight has, for a bin sees but a part of that.
+pub const SHARE_BITS: u32 = 20;
+/// The tables of the kernel and of its integral over `[0, 1)`: differences of the integral are divided by a speed of ⅛ and more.
+pub const MOTION_TABLE: TableShape = TableShape { index_bits: 10, fraction_bits: 14, value_bits: 24 };

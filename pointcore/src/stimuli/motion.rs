@@ -1,0 +1,184 @@
+//! Random splats that move while the shutter is open, of every kind that is hard for one reason, each with a sample near its way.
+
+use super::one_of;
+use fastrand::Rng;
+use glam::DVec3;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::motion::TIME_BINS;
+use pointcore_contract::{Camera, Rendering, Splat};
+use pointcore_golden::reference::motion::{Interval, MovingSplat, Place};
+
+/// What is hard about a splat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Family {
+    /// Nothing.
+    Free,
+    /// It does not move, but is not taken for a still one either.
+    Still,
+    /// It hardly moves.
+    Slow,
+    /// It moves within its own plane.
+    InPlane,
+    /// It comes towards the eye.
+    TowardsEye,
+    /// Its center passes the near plane within the exposure.
+    AcrossNear,
+    /// Its center passes the eye plane within the exposure.
+    AcrossEye,
+    /// It is seen edge-on at some instant of the exposure.
+    EdgeOn,
+    /// It is there from the border of a bin to another.
+    AtBorders,
+    /// It enters or leaves the image.
+    AcrossImage,
+    /// It passes many of its own radii.
+    Fast,
+}
+
+impl Family {
+    /// Every family.
+    pub const ALL: [Self; 11] = [
+        Self::Free,
+        Self::Still,
+        Self::Slow,
+        Self::InPlane,
+        Self::TowardsEye,
+        Self::AcrossNear,
+        Self::AcrossEye,
+        Self::EdgeOn,
+        Self::AtBorders,
+        Self::AcrossImage,
+        Self::Fast,
+    ];
+}
+
+/// A moving splat and a sample.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// What is hard about it.
+    pub family: Family,
+    /// The splat, in camera space.
+    pub splat: MovingSplat,
+    /// A sample that it may cover.
+    pub place: Place,
+}
+
+/// A camera in the origin that looks along z, with planes at distances of 1 and 40, for the image of a configuration.
+#[must_use]
+pub fn camera(config: &Config) -> Camera {
+    const FAR: f64 = 40.0;
+    let (width, height) = (pixels(config), f64::from(config.height));
+    Camera {
+        model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+        scale_x: width,
+        scale_y: 1.1 * width,
+        center_x: 0.5 * width,
+        center_y: 0.5 * height,
+        depth_a: FAR / (FAR - 1.0),
+        depth_b: -FAR / (FAR - 1.0),
+        near: 1.0,
+    }
+}
+
+/// How the image of a configuration is rendered, without a screen filter.
+#[must_use]
+pub fn rendering(config: &Config) -> Rendering {
+    Rendering {
+        width: config.width as usize,
+        height: config.height as usize,
+        sampling: config.sampling,
+        depth: config.depth,
+        kernel_gamma: config.kernel_gamma,
+        filter_radius_px: None,
+        epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
+        epsilon_bias: 0.01,
+    }
+}
+
+fn pixels(config: &Config) -> f64 {
+    f64::from(config.width / config.sampling.columns())
+}
+
+fn uniform(random: &mut Rng, low: f64, high: f64) -> f64 {
+    low + (high - low) * random.f64()
+}
+
+fn vector(random: &mut Rng, size: f64) -> DVec3 {
+    DVec3::from_array([(); 3].map(|()| uniform(random, -size, size)))
+}
+
+/// What faces the eye well enough, from a hundredth to a quarter of its distance large.
+fn disc(random: &mut Rng) -> (DVec3, [DVec3; 2]) {
+    let z = uniform(random, 2.0, 20.0);
+    let size = z * 2.0_f64.powf(uniform(random, -6.5, -2.0));
+    let center = DVec3::new(uniform(random, -0.5, 0.5) * z, uniform(random, -0.4, 0.4) * z, z);
+    loop {
+        let tangents = [vector(random, size), vector(random, size)];
+        let normal = tangents[0].cross(tangents[1]);
+        if normal.length() > 0.2 * size * size && normal.dot(center) < -0.3 * normal.length() * center.length() {
+            return (center, tangents);
+        }
+    }
+}
+
+/// A splat of a family.
+#[must_use]
+pub fn splat(random: &mut Rng, family: Family) -> MovingSplat {
+    let (mut center, mut tangents) = disc(random);
+    let (z, speed) = (center.z, 0.5 * random.f64().powi(2));
+    let mut motion = vector(random, speed * z);
+    let mut part = Interval::EXPOSURE;
+    match family {
+        Family::Free => {}
+        Family::Still => motion = DVec3::ZERO,
+        Family::Slow => motion *= 10.0_f64.powf(uniform(random, -12.0, -1.0)),
+        Family::InPlane => {
+            let along = vector(random, 3.0);
+            motion = along.x * tangents[0] + along.y * tangents[1];
+        }
+        Family::TowardsEye => motion = -center * uniform(random, 0.1, 0.8),
+        Family::AcrossNear => motion.z = -(z - 1.0) / uniform(random, 0.1, 0.9),
+        Family::AcrossEye => motion.z = -z / uniform(random, 0.1, 0.9),
+        Family::EdgeOn => {
+            // The normal and the line of sight come to be square at some time.
+            let time = uniform(random, -1.0, 1.0);
+            let normal = tangents[0].cross(tangents[1]);
+            motion -= normal * ((center + time * motion).dot(normal) / (time * normal.length_squared()));
+            if random.u8(0..4) == 0 {
+                let lean = center.normalize() * tangents[1].length();
+                tangents[1] = lean + 10.0_f64.powf(uniform(random, -6.0, -1.0)) * tangents[1];
+            }
+        }
+        Family::AtBorders => {
+            let [first, second] = [(); 2].map(|()| random.usize(0..=TIME_BINS));
+            let border = |index: usize| 2.0 * index as f64 / TIME_BINS as f64 - 1.0;
+            part = Interval::new(border(first.min(second)), border(first.max(second))).unwrap_or(part);
+        }
+        Family::AcrossImage => {
+            let way = one_of(random, &[DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y]) * uniform(random, 0.3, 1.5) * z;
+            motion += way;
+            center -= way * one_of(random, &[-0.7, 0.7]);
+        }
+        Family::Fast => motion *= 2.0_f64.powf(uniform(random, 2.0, 8.0)),
+    }
+    let single = |vector: DVec3| vector.as_vec3().to_array();
+    let splat = Splat { center: single(center), tangents: tangents.map(single), attributes: [0.0; 6], material: 0 };
+    MovingSplat { splat, motion: motion.as_vec3().as_dvec3(), part }
+}
+
+/// A splat of a family with a sample near its way.
+#[must_use]
+pub fn moved(random: &mut Rng, family: Family, config: &Config) -> Moved {
+    let (camera, rendering) = (camera(config), rendering(config));
+    let splat = splat(random, family);
+    let double = |vector: [f32; 3]| DVec3::from_array(vector.map(f64::from));
+    let time = uniform(random, splat.part.begin, splat.part.end) - splat.part.middle();
+    let [first, second] = splat.splat.tangents.map(double);
+    let on_splat = vector(random, 0.9);
+    let point = double(splat.splat.center) + time * splat.motion + on_splat.x * first + on_splat.y * second;
+    let near = |along: f64, size: usize| (along.max(0.0) as usize).min(size - 1);
+    let columns = f64::from(config.sampling.columns());
+    let column = near(columns * (camera.scale_x * point.x / point.z + camera.center_x), rendering.width);
+    let row = near(camera.scale_y * point.y / point.z + camera.center_y, rendering.height);
+    Moved { family, splat, place: Place::new(column, row, &rendering) }
+}
