@@ -8,6 +8,7 @@ mod error;
 pub mod float_check;
 pub mod front;
 pub mod marks;
+pub mod motion;
 pub mod mutation;
 pub mod note;
 pub mod operands;

@@ -1,0 +1,7 @@
+//! Splats that move while the shutter is open: what hardware makes of a sample, beside f64 with a bound, beside quadrature, and cycle by cycle.
+
+pub mod bound;
+pub mod check;
+
+#[cfg(test)]
+mod tests;
