@@ -14,3 +14,5 @@ pub const TIME_BITS: u32 = TIME_FRACTION_BITS + 1;
 pub const SHARE_BITS: u32 = 20;
 /// The tables of the kernel and of its integral over `[0, 1)`: differences of the integral are divided by a speed of ⅛ and more.
 pub const MOTION_TABLE: TableShape = TableShape { index_bits: 10, fraction_bits: 14, value_bits: 24 };
+/// Cycles a moving splat takes in setup: it covers more samples than a still one, each of which takes [`TIME_BINS`].
+pub const MOTION_SETUP_INTERVAL: u32 = 16;

@@ -10,6 +10,7 @@ pub mod heap;
 pub mod lane;
 pub mod lists;
 pub mod motion_evaluation;
+pub mod motion_setup;
 pub mod normalizer;
 pub mod payloads;
 pub mod rasterizer;
@@ -33,7 +34,7 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last. Those of motion stand beside it.
-pub const UNITS: [(&Unit<Config>, Describe); 20] = [
+pub const UNITS: [(&Unit<Config>, Describe); 21] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -52,6 +53,7 @@ pub const UNITS: [(&Unit<Config>, Describe); 20] = [
     (&units::collector::UNIT, |config| Ok(collector::module::<FinishedPixel>(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
     (&units::fragment_collector::UNIT, |config| Ok(collector::module::<Fragment>(config))),
+    (&units::motion_setup::UNIT, |config| Ok(motion_setup::datapath(config, &Options::default())?.module)),
     (&units::motion_evaluation::UNIT, |config| Ok(motion_evaluation::datapath(config, &Options::default())?.module)),
     (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
 ];

@@ -1,12 +1,15 @@
 //! Random splats that move while the shutter is open, of every kind that is hard for one reason, each with a sample near its way.
 
 use super::one_of;
+use crate::number::encode;
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::motion::TIME_BINS;
-use pointcore_contract::{Camera, Rendering, Splat};
+use pointcore_contract::splat::records::{self, Uniforms};
+use pointcore_contract::{Camera, Rendering, Splat, fields, words};
 use pointcore_golden::reference::motion::{Interval, MovingSplat, Place};
+use pointcore_golden::splat::MotionUniforms;
 
 /// What is hard about a splat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -181,4 +184,51 @@ pub fn moved(random: &mut Rng, family: Family, config: &Config) -> Moved {
     let column = near(columns * (camera.scale_x * point.x / point.z + camera.center_x), rendering.width);
     let row = near(camera.scale_y * point.y / point.z + camera.center_y, rendering.height);
     Moved { family, splat, place: Place::new(column, row, &rendering) }
+}
+
+/// A splat as setup takes it, with random attributes.
+#[must_use]
+pub fn encoded(moving: &MovingSplat, config: &Config, random: &mut Rng) -> records::MovingSplat {
+    let number = |value: f64| encode(config.geometry, value as f32);
+    let vector = |numbers: [f32; 3]| numbers.map(|value| encode(config.geometry, value));
+    let MovingSplat { splat, motion, part } = moving;
+    let center = DVec3::from_array(splat.center.map(f64::from)) - part.middle() * *motion;
+    let mut attributes = records::Attributes::default();
+    attributes[..config.attributes() as usize].fill_with(|| random.u32(..) >> (32 - config.attribute.width()));
+    records::MovingSplat {
+        splat: records::Splat {
+            end: false,
+            center: center.to_array().map(number),
+            tangents: splat.tangents.map(vector),
+            attributes,
+        },
+        motion: motion.to_array().map(number),
+        part: [part.begin, part.end].map(number),
+    }
+}
+
+/// What setup's splats share.
+#[must_use]
+pub fn motion_uniforms(config: &Config) -> MotionUniforms {
+    let (camera, rendering) = (camera(config), rendering(config));
+    let number = |value: f64| encode(config.geometry, value as f32);
+    MotionUniforms {
+        viewport: records::Viewport {
+            scale: [camera.scale_x, camera.scale_y].map(number),
+            origin: [camera.center_x, camera.center_y].map(number),
+            depth_a: number(camera.depth_a),
+            depth_b: number(camera.depth_b),
+        },
+        epsilon: records::EpsilonScale { scale: number(rendering.epsilon_scale), bias: number(rendering.epsilon_bias) },
+        near_plane: number(camera.near),
+    }
+}
+
+/// Their names and values, as ports have them.
+#[must_use]
+pub fn uniforms(config: &Config) -> Vec<(String, u64)> {
+    let MotionUniforms { viewport, epsilon, near_plane } = motion_uniforms(config);
+    let all = Uniforms { viewport, epsilon, near_plane, ..Uniforms::default() };
+    let names = fields::<Uniforms>(config).into_iter().map(|field| field.name);
+    names.zip(words(config, all)).collect()
 }

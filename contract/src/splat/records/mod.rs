@@ -17,7 +17,7 @@ pub use copy::{
     TileDiagonals, TileRectangle,
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
-pub use motion::{MovingFootprint, MovingPlace, MovingSample};
+pub use motion::{MovingFootprint, MovingPlace, MovingSample, MovingSplat, SetupMovingSplat};
 pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, StoredPixel, buffer_tile, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};

@@ -1,10 +1,25 @@
 //! Splats that move while the shutter is open. The exposure is the time `τ` from −1 to 1.
 
-use super::{AXES, PIXEL_BITS};
+use super::{ATTRIBUTES, AXES, ImageRectangle, PIXEL_BITS, Splat, attribute_name};
 use crate::record;
 use crate::splat::Config;
 use crate::splat::config::DEPTH_BITS;
 use crate::splat::motion::{SHARE_BITS, TIME_BINS, TIME_BITS, TIMES};
+
+/// A splat in camera space that moves along a line.
+#[record(config: Config)]
+pub struct MovingSplat {
+    /// Where it is at `τ = 0`.
+    pub splat: Splat,
+    /// The way of its center in a unit of `τ`.
+    #[name(format!("motion_{}", AXES[i]))]
+    #[bits(config.geometry.width())]
+    pub motion: [u32; 3],
+    /// Begin and end of the part of the exposure for which it is there.
+    #[name(["part_begin", "part_end"][i])]
+    #[bits(config.geometry.width())]
+    pub part: [u32; 2],
+}
 
 /// What evaluation needs of a moving splat, in the geometry format. Forms are linear in a sample's offset `(x, y)` from the center, px.
 #[record(config: Config)]
@@ -45,6 +60,25 @@ pub struct MovingFootprint {
     #[name(["planes_begin", "planes_end", "planes_offset"][i])]
     #[bits(config.geometry.width())]
     pub planes: [u32; 3],
+}
+
+/// A moving splat after setup, with its bounds in the image over all of its life.
+#[record(config: Config)]
+pub struct SetupMovingSplat {
+    /// Closes the frame.
+    pub end: bool,
+    /// What evaluation needs.
+    pub footprint: MovingFootprint,
+    /// How far to either side of a depth its band reaches (eq. 5.9).
+    #[bits(DEPTH_BITS)]
+    pub epsilon: u32,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+    /// The hull of its bounds at begin and end.
+    pub bounds: ImageRectangle,
 }
 
 /// A sample within a moving splat's bounds.

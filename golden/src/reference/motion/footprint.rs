@@ -6,7 +6,7 @@
 
 use super::distance::SquaredDistance;
 use super::interval::Interval;
-use super::kernel::Moving;
+use super::kernel::{Moving, Way};
 use super::{MovingSplat, Place};
 use crate::number::Number;
 use crate::reference::projection::{Bounds, CROSSING_CLEARANCE, Culled};
@@ -60,9 +60,20 @@ impl MovingFootprint {
     /// # Errors
     /// As [`Kernel::new`](super::Kernel::new), and [`Culled::OutsideDepth`] where the center never lies beyond the near plane.
     pub fn new(moving: &MovingSplat, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
-        let shape = Moving::new(moving, camera, rendering)?;
+        Self::of(&Moving::new(moving, camera, rendering)?, camera, rendering)
+    }
+
+    /// Of a splat in camera space.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn along(way: &Way, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
+        Self::of(&Moving::along(way, camera, rendering)?, camera, rendering)
+    }
+
+    fn of(shape: &Moving, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
         let bounds = shape.bounds(camera, rendering)?;
-        let Moving { center: at_zero, motion, tangents: [first, second], life, .. } = shape;
+        let Moving { center: at_zero, motion, tangents: [first, second], life, .. } = *shape;
         let origin = life.where_positive(at_zero.z - camera.near, motion.z).ok_or(Culled::OutsideDepth)?.middle();
         let u = at_zero + origin * motion;
         let r = 1.0 / u.z;
@@ -90,7 +101,7 @@ impl MovingFootprint {
             distance: [1.0 - origin * of_depth.0, of_depth.0],
             depth_scale: camera.depth_b * r * of_depth.1,
             life,
-            planes: Self::planes(&shape, change, origin, u.z, camera),
+            planes: Self::planes(shape, change, origin, u.z, camera),
             bounds,
         })
     }

@@ -40,6 +40,19 @@ enum Shape {
     Moving(Box<Moving>),
 }
 
+/// The way of a splat in camera space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// The center at `τ = 0`.
+    pub center: DVec3,
+    /// Its way in a unit of `τ`.
+    pub motion: DVec3,
+    /// The tangents, which stay.
+    pub tangents: [DVec3; 2],
+    /// The part of the exposure for which it is there.
+    pub part: Interval,
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     /// At `τ = 0`, in camera space.
@@ -84,10 +97,16 @@ impl Moving {
         let (middle, tangents) = in_camera_space(&moving.splat, camera);
         let rotation = camera.model_view.map(|row| DVec3::from_slice(&row));
         let motion = DVec3::from_array(rotation.map(|row| row.dot(moving.motion)));
-        let center = middle - moving.part.middle() * motion;
+        let way = Way { center: middle - moving.part.middle() * motion, motion, tangents, part: moving.part };
+        Self::along(&way, camera, rendering)
+    }
+
+    /// Of a splat in camera space.
+    pub fn along(way: &Way, camera: &Camera, rendering: &Rendering) -> Result<Self, Culled> {
+        let Way { center, motion, tangents, part } = *way;
         let disc = MovingDisc::new(center, motion, tangents);
         let [volume, change] = disc.volume();
-        let life = moving.part.where_positive(-volume, -change).ok_or(Culled::BackFacing)?;
+        let life = part.where_positive(-volume, -change).ok_or(Culled::BackFacing)?;
         // The nearest and the farthest of its points.
         let reach = tangents[0].z.hypot(tangents[1].z);
         let (a, b) = (camera.depth_a, camera.depth_b);

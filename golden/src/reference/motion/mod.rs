@@ -22,7 +22,7 @@ mod shutter;
 pub use exposure::{Exposed, Exposure};
 pub use footprint::{Met, MovingFootprint};
 pub use interval::Interval;
-pub use kernel::{Hit, Kernel, Piece};
+pub use kernel::{Hit, Kernel, Piece, Way};
 pub use method::{COUNT_LIMIT, Method, UnknownMethod};
 pub use shutter::Shutter;
 

@@ -67,7 +67,7 @@ pub(super) fn of_box(extent: &Extent, axis: usize, f: Number, [scale, origin]: [
 }
 
 /// Samples between two bounds; all of a pixel's, or none.
-pub(super) fn samples(
+pub(in crate::splat) fn samples(
     format: Format,
     sampling: Sampling,
     axis: usize,

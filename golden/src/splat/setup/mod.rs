@@ -5,7 +5,7 @@
 //! without a part between near and far plane, splats without a pixel and, with culling, splats that face away. A splat seen edge-on has no
 //! `Δ` to speak of, and draws its screen filter's disc at most.
 
-mod bounds;
+pub(super) mod bounds;
 mod depths;
 mod diagonals;
 pub(super) mod fixed_footprint;

@@ -11,7 +11,7 @@ use pointcore_contract::splat::units::setup::PORTS;
 use pointcore_contract::{Fixed, Format, Sampling, Signedness};
 
 /// Where bounds saturate, in px: beyond every image.
-const BOUND_MAX: f64 = 8191.0;
+pub(in crate::splat) const BOUND_MAX: f64 = 8191.0;
 /// Units in the last place by which the projection of a box's edge is moved towards the axis: more than it is rounded by.
 pub(super) const EDGE_UNITS: u64 = 16;
 /// Bounds are rounded to pixels from so many fraction bits.
@@ -29,7 +29,7 @@ const fn offsets(sampling: Sampling) -> (u64, u64) {
 }
 
 /// Smallest `e` for which a splat counts as wholly in front of the eye; below, its bounds would be rounding.
-const fn clearance(format: Format) -> f64 {
+pub(in crate::splat) const fn clearance(format: Format) -> f64 {
     if format.mantissa < Format::F32.mantissa { 1.0 / 32.0 } else { 1.0 / 4096.0 }
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Axis {
 
 /// The samples of an image along an axis.
 #[derive(Clone, Copy)]
-pub(super) struct Grid {
+pub(in crate::splat) struct Grid {
     /// Pixels of the image.
     pub pixels: u32,
     /// Columns of samples to a pixel.
@@ -141,7 +141,7 @@ impl<'a> Frame<'a> {
             let drawn = |disc, without| shown.map_or(disc, |shown| shown.mux(disc, without));
             (low, high) = (drawn(disc_low, low), drawn(disc_high, high));
         }
-        let (first, last, occupied) = self.samples(low, high, grid);
+        let (first, last, occupied) = samples(self.config, self.program, [low, high], grid);
         name!(in AXES[axis]; first, last, occupied);
         let top = self.config.geometry.width() - 1;
         Axis { mirrored: scale.bits(top, top), center, a, b, middle: t, squared, first, last, occupied }
@@ -158,23 +158,29 @@ impl<'a> Frame<'a> {
         let (begins, ends) = (mirrored.mux(left, right), mirrored.mux(right, left));
         [begins.mux(edge, zero), ends.mux(edge, self.constant(BOUND_MAX))]
     }
+}
 
-    /// First and last row or column of samples between two bounds, `columns` to a pixel, and whether there is one; a NaN widens the bounds.
-    fn samples(&self, low: Value, high: Value, Grid { pixels, columns, bits }: Grid) -> (Value, Value, Value) {
-        let sum_bits = BOUND.width + 1;
-        let constant = |value| self.program.lit(sum_bits, value);
-        let zero = self.constant(0.0);
-        let fraction = BOUND.fraction;
-        let round = |bound: Value, offset| {
-            let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)) >> fraction;
-            if columns == 1 { pixel } else { pixel.cat(self.program.lit(columns.ilog2(), 0)).resize(sum_bits) }
-        };
-        let (first_offset, past_offset) = offsets(self.config.sampling);
-        let first = round(low.max(zero), first_offset);
-        let past = round(high.min(self.constant(BOUND_MAX)).max(zero), past_offset);
-        let edge = constant(pixels.into());
-        let past = past.min(edge);
-        let last = past - constant(1);
-        (first.resize(bits), last.resize(bits), first.lt(past))
-    }
+/// First and last row or column of samples between two bounds, `columns` to a pixel, and whether there is one; a NaN widens the bounds.
+pub(in crate::splat) fn samples(
+    config: &Config,
+    program: &Program,
+    [low, high]: [Value; 2],
+    Grid { pixels, columns, bits }: Grid,
+) -> (Value, Value, Value) {
+    let sum_bits = BOUND.width + 1;
+    let constant = |value| program.lit(sum_bits, value);
+    let number = |value| program.float(config.geometry, value);
+    let zero = number(0.0);
+    let fraction = BOUND.fraction;
+    let round = |bound: Value, offset| {
+        let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)) >> fraction;
+        if columns == 1 { pixel } else { pixel.cat(program.lit(columns.ilog2(), 0)).resize(sum_bits) }
+    };
+    let (first_offset, past_offset) = offsets(config.sampling);
+    let first = round(low.max(zero), first_offset);
+    let past = round(high.min(number(BOUND_MAX)).max(zero), past_offset);
+    let edge = constant(pixels.into());
+    let past = past.min(edge);
+    let last = past - constant(1);
+    (first.resize(bits), last.resize(bits), first.lt(past))
 }

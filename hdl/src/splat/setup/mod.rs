@@ -1,7 +1,7 @@
 //! Rasterization setup and back-face culling (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
 //! `pointcore_golden::splat::setup`.
 
-mod axes;
+pub(super) mod axes;
 mod depth;
 mod diagonals;
 mod exponent;
@@ -62,7 +62,7 @@ impl Limits {
 }
 
 /// A term of `Δ` is known to so many bits less than a number is.
-const ROUNDING_BITS: u32 = 4;
+pub(super) const ROUNDING_BITS: u32 = 4;
 
 /// In so many bits its sign may be wrong.
 const fn doubtful_bits(format: Format) -> u32 {
@@ -71,7 +71,13 @@ const fn doubtful_bits(format: Format) -> u32 {
 
 /// Whether so little is left of a difference that it is the rounding of its terms, by exponents: where much cancels, both
 /// terms have the same one.
-fn cancelled(program: &Program, format: Format, difference: Value, term: Value, rounding_bits: u32) -> Value {
+pub(super) fn cancelled(
+    program: &Program,
+    format: Format,
+    difference: Value,
+    term: Value,
+    rounding_bits: u32,
+) -> Value {
     let bits = format.exponent + 1;
     let exponent = |value: Value| value.bits(format.width() - 2, format.mantissa).resize(bits);
     let left = exponent(difference);
