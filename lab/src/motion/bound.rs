@@ -1,5 +1,6 @@
 //! What a share of the exposure may be off, as docs/units/splat/motion_evaluation.md derives it.
 
+use super::setup::Magnitudes;
 use pointcore_contract::Format;
 use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS, TIME_BINS};
 use pointcore_golden::reference::motion::distance::SquaredDistance;
@@ -7,11 +8,15 @@ use pointcore_golden::reference::motion::{Interval, Met, MovingFootprint, Place,
 
 /// Roundings of a place on the splat, in units of half a last place of its terms.
 const ROUNDINGS: f64 = 8.0;
+/// Roundings of a footprint, in units of half a last place of its terms.
+const SETUP_ROUNDINGS: f64 = 16.0;
+/// The same of its center.
+const CENTER_ROUNDINGS: f64 = 6.0;
 /// What roundings behind the tables amount to.
 const LATER_ROUNDINGS: f64 = 16.0;
-/// A sample is well-posed where roundings of its way move no share by more than this.
+/// A sample is well-posed where roundings of its way move its shares by no more than this together.
 const WELL_POSED: f64 = 1.0 / (1 << 17) as f64;
-/// A well-posed sample's share is off by no more, in `f32`.
+/// A well-posed sample's integral is off by no more, in `f32`.
 pub const WELL_POSED_ERROR: f64 = 1.0 / 65536.0;
 /// Squared speed below which a sample is narrow.
 const NARROW: f64 = 1.0 / 64.0;
@@ -42,13 +47,28 @@ impl Shares {
     /// Whether the sample is well-posed.
     #[must_use]
     pub fn is_well_posed(&self) -> bool {
-        self.bins.iter().all(|share| share.moved <= WELL_POSED)
+        self.bins.iter().map(|share| share.moved).sum::<f64>() <= WELL_POSED
     }
 
     /// Of a footprint whose numbers are exact.
     #[must_use]
     pub fn new(footprint: &MovingFootprint, place: &Place, format: Format, gamma: f64) -> Self {
-        let sample = Sample::new(footprint, place, format, gamma);
+        Self::of(&Sample::new(footprint, place, format, gamma))
+    }
+
+    /// Of a splat whose numbers are exact, with the footprint that it has in f64 and its terms.
+    #[must_use]
+    pub fn of_splat(
+        footprint: &MovingFootprint,
+        magnitudes: &Magnitudes,
+        place: &Place,
+        format: Format,
+        gamma: f64,
+    ) -> Self {
+        Self::of(&Sample::new(footprint, place, format, gamma).set_up(magnitudes, place))
+    }
+
+    fn of(sample: &Sample) -> Self {
         let mut bins = Interval::equal_parts(TIME_BINS).map(|part| sample.share(part));
         Self { bins: std::array::from_fn(|_| bins.next().expect("there are as many parts as bins")) }
     }
@@ -66,6 +86,8 @@ struct Sample<'a> {
     cancellation: f64,
     /// What either end of the time between near and far plane may be off.
     planes: [f64; 2],
+    /// What setup's roundings move place, speed, and what both are divided by, in units of half a last place.
+    of_setup: [f64; 3],
 }
 
 impl<'a> Sample<'a> {
@@ -85,7 +107,39 @@ impl<'a> Sample<'a> {
             if limit.is_finite() { 4.0 * unit * (limit.abs() * (1.0 + cancellation) + offset.abs()) } else { 0.0 }
         });
         let terms = [of_places, of_speeds].map(|sum| sum / determinant);
-        Self { footprint, met, gamma, unit, terms, cancellation, planes }
+        Self { footprint, met, gamma, unit, terms, cancellation, planes, of_setup: [0.0; 3] }
+    }
+
+    /// With setup's roundings.
+    fn set_up(self, magnitudes: &Magnitudes, place: &Place) -> Self {
+        let Magnitudes { center, determinant, place: places, speed, change } = magnitudes;
+        let offset = [0, 1].map(|i: usize| (place.position[i] - self.footprint.center[i]).abs());
+        // A form's own roundings, and what the center's make of it.
+        let form = |terms: &[f64], form: &[f64]| -> f64 {
+            let of_axis =
+                |i: usize| SETUP_ROUNDINGS * offset[i] * terms[i] + CENTER_ROUNDINGS * center[i] * form[i].abs();
+            of_axis(0) + of_axis(1)
+        };
+        let divisor = self.met.determinant.abs();
+        let footprint = self.footprint;
+        let of_places: f64 = places.iter().zip(&footprint.place).map(|(terms, own)| form(terms, own)).sum();
+        let of_speeds = speed.iter().zip(&footprint.speed);
+        let of_speeds: f64 =
+            of_speeds.map(|(terms, own)| SETUP_ROUNDINGS * terms[0] + form(&terms[1..], &own[1..])).sum();
+        let of_divisor = SETUP_ROUNDINGS + form(determinant, &footprint.determinant);
+        let of_setup = [of_places, of_speeds, of_divisor].map(|sum| sum / divisor);
+        let [begin, end, offset] = self.footprint.planes;
+        let of_change = 1.0 + change * (offset + self.footprint.time).abs();
+        let planes = [begin, end].map(|limit| {
+            let limit = limit * divisor;
+            if !limit.is_finite() {
+                return 0.0;
+            }
+            let terms = SETUP_ROUNDINGS * (limit.abs() + offset.abs() + 1.0) * of_change;
+            self.unit * (limit.abs() * of_setup[2] + terms)
+        });
+        let planes = [0, 1].map(|end| self.planes[end] + planes[end]);
+        Self { of_setup, planes, ..self }
     }
 
     /// `δ`, the largest in a part of the exposure.
@@ -95,7 +149,9 @@ impl<'a> Sample<'a> {
         let [of_place, of_speed] = self.terms;
         let terms = of_place + of_speed * time;
         let whole = length(self.met.place) + length(self.met.speed) * time;
-        let displacement = ROUNDINGS * self.unit * (terms + self.cancellation * whole + 1.0);
+        let [of_place, of_speed, of_divisor] = self.of_setup;
+        let of_setup = of_place + of_speed * time + of_divisor * whole;
+        let displacement = self.unit * (ROUNDINGS * (terms + self.cancellation * whole + 1.0) + of_setup);
         if displacement.is_nan() { f64::INFINITY } else { displacement }
     }
 

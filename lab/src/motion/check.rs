@@ -1,24 +1,31 @@
-//! Golden evaluation beside f64, case by case.
+//! Golden setup and evaluation beside f64, case by case.
 
 use super::bound::{Shares, WELL_POSED_ERROR};
+use super::setup::Magnitudes;
 use fastrand::Rng;
-use pointcore::stimuli::motion::{Family, Moved, camera, moved, rendering};
+use glam::DVec3;
+use pointcore::number::decode;
+use pointcore::stimuli::motion::{Family, Moved, camera, encoded, motion_uniforms, moved, rendering};
 use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::motion::{SHARE_BITS, TIME_BINS, TIME_FRACTION_BITS, TIMES};
-use pointcore_contract::splat::records::{MovingPlace, MovingSample};
-use pointcore_golden::reference::motion::MovingFootprint;
-use pointcore_golden::splat::MotionEvaluation;
+use pointcore_contract::splat::records::{self, ImageRectangle, MovingPlace, MovingSample};
+use pointcore_golden::reference::motion::{Interval, MovingFootprint, Way};
+use pointcore_golden::splat::{MotionEvaluation, MotionSetup, MotionUniforms};
 
-/// A sample as the unit takes it, with the footprint that its numbers stand for.
+/// A moving splat and a sample, with the truth about it.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// What it was made of.
     pub moved: Moved,
-    /// What the unit takes.
-    pub place: MovingPlace,
-    /// The same numbers in f64.
+    /// The splat as setup takes it.
+    pub splat: records::MovingSplat,
+    /// The footprint of that, in f64.
     pub footprint: MovingFootprint,
+    /// Magnitudes of its terms.
+    pub magnitudes: Magnitudes,
+    last: bool,
+    slot: u8,
 }
 
 /// What came of a case.
@@ -28,10 +35,12 @@ pub struct Outcome {
     pub is_inside: bool,
     /// The case is well-posed.
     pub is_well_posed: bool,
-    /// The largest error of a share.
+    /// The largest error of a share, or of their sum.
     pub error: f64,
     /// The largest error of a share in terms of its bound.
     pub of_bound: f64,
+    /// What the sum of all shares may be off.
+    pub bound: f64,
 }
 
 /// What does not hold of a case.
@@ -69,41 +78,100 @@ pub enum Violation {
     WellPosed(f64),
 }
 
-/// A case of a family; none where the splat is culled.
+/// A case of a family; none where the splat is culled in f64.
 #[must_use]
 pub fn case(random: &mut Rng, family: Family, config: &Config) -> Option<Case> {
     let moved = moved(random, family, config);
-    let exact = MovingFootprint::new(&moved.splat, &camera(config), &rendering(config)).ok()?;
-    let record = exact.encoded(config.geometry);
-    let place = MovingPlace {
-        last: random.u8(0..8) == 0,
-        slot: random.u8(0..config.tile_slots as u8),
-        column: moved.place.column as u16,
-        row: moved.place.row as u16,
-        footprint: record,
-    };
-    let footprint = MovingFootprint::decoded(&record, config.geometry, exact.bounds);
-    Some(Case { moved, place, footprint })
+    let splat = encoded(&moved.splat, config, random);
+    let (camera, rendering) = (camera(config), rendering(config));
+    let way = way(&splat, config);
+    let footprint = MovingFootprint::along(&way, &camera, &rendering).ok()?;
+    let magnitudes = Magnitudes::of(&way, &footprint, &camera);
+    let (last, slot) = (random.u8(0..8) == 0, random.u8(0..config.tile_slots as u8));
+    Some(Case { moved, splat, footprint, magnitudes, last, slot })
 }
 
-/// The uniform `depth_a` of the cases' camera.
-#[must_use]
-pub fn depth_a(config: &Config) -> u32 {
-    pointcore::number::encode(config.geometry, camera(config).depth_a as f32)
-}
-
-/// Evaluates a case, and holds it against f64.
-///
-/// # Errors
-/// What does not hold.
-pub fn check(unit: &MotionEvaluation, case: &Case, config: &Config) -> Result<Outcome, Violation> {
-    let sample = unit.evaluate(&case.place, depth_a(config));
-    let truth = Shares::new(&case.footprint, &case.moved.place, config.geometry, config.kernel_gamma);
-    let outcome = compare(&sample, &truth)?;
-    if outcome.is_well_posed && config.geometry.mantissa == Format::F32.mantissa && outcome.error > WELL_POSED_ERROR {
-        return Err(Violation::WellPosed(outcome.error));
+/// A record's numbers.
+fn way(splat: &records::MovingSplat, config: &Config) -> Way {
+    let value = |bits: u32| f64::from(decode(config.geometry, bits));
+    let vector = |bits: [u32; 3]| DVec3::from_array(bits.map(value));
+    let [begin, end] = splat.part.map(value);
+    Way {
+        center: vector(splat.splat.center),
+        motion: vector(splat.motion),
+        tangents: splat.splat.tangents.map(vector),
+        part: Interval { begin, end },
     }
-    Ok(outcome)
+}
+
+impl Case {
+    /// The sample as evaluation takes it, with a splat's footprint.
+    #[must_use]
+    pub fn place(&self, footprint: records::MovingFootprint) -> MovingPlace {
+        let (column, row) = (self.moved.place.column as u16, self.moved.place.row as u16);
+        MovingPlace { last: self.last, slot: self.slot, column, row, footprint }
+    }
+}
+
+/// Both units, and what they are given.
+pub struct Units {
+    config: Config,
+    uniforms: MotionUniforms,
+    setup: MotionSetup,
+    evaluation: MotionEvaluation,
+}
+
+impl Units {
+    /// Of a configuration.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        let (setup, evaluation) = (MotionSetup::new(config, 1), MotionEvaluation::new(config, 1));
+        Self { config: config.clone(), uniforms: motion_uniforms(config), setup, evaluation }
+    }
+
+    /// What evaluation makes of a footprint in f64 that is rounded, beside the truth about what it is then.
+    ///
+    /// # Errors
+    /// What does not hold.
+    pub fn evaluate(&self, case: &Case) -> Result<Outcome, Violation> {
+        let Config { geometry, kernel_gamma, .. } = self.config;
+        let record = case.footprint.encoded(geometry);
+        let footprint = MovingFootprint::decoded(&record, geometry, case.footprint.bounds.clone());
+        let sample = self.evaluation.evaluate(&case.place(record), self.uniforms.viewport.depth_a);
+        self.compare(&sample, &Shares::new(&footprint, &case.moved.place, geometry, kernel_gamma))
+    }
+
+    /// What setup and evaluation make of a splat, beside the truth about it.
+    ///
+    /// # Errors
+    /// What does not hold.
+    pub fn draw(&self, case: &Case) -> Result<Outcome, Violation> {
+        let Config { geometry, kernel_gamma, .. } = self.config;
+        let Case { footprint, magnitudes, moved, .. } = case;
+        let truth = Shares::of_splat(footprint, magnitudes, &moved.place, geometry, kernel_gamma);
+        self.compare(&self.drawn(case), &truth)
+    }
+
+    /// The sample as both units have it; not covered where the splat is dropped, or has bounds without it.
+    #[must_use]
+    pub fn drawn(&self, case: &Case) -> MovingSample {
+        let Some(splat) = self.setup.setup(&case.splat, &self.uniforms) else { return MovingSample::default() };
+        let place = case.place(splat.footprint);
+        let ImageRectangle { left, right, top, bottom } = splat.bounds;
+        if !((left..=right).contains(&place.column) && (top..=bottom).contains(&place.row)) {
+            return MovingSample::default();
+        }
+        self.evaluation.evaluate(&place, self.uniforms.viewport.depth_a)
+    }
+
+    fn compare(&self, sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> {
+        let outcome = compare(sample, truth)?;
+        let is_fine = self.config.geometry.mantissa == Format::F32.mantissa;
+        if outcome.is_well_posed && is_fine && outcome.error > WELL_POSED_ERROR {
+            return Err(Violation::WellPosed(outcome.error));
+        }
+        Ok(outcome)
+    }
 }
 
 fn compare(sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> {
@@ -111,7 +179,7 @@ fn compare(sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> 
         return Err(Violation::Order(sample.time));
     }
     let of_inside = |value: f64| if sample.inside { value } else { 0.0 };
-    let (mut error, mut of_bound) = (0.0_f64, 0.0_f64);
+    let (mut error, mut of_bound, mut whole, mut bound) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     for bin in 0..TIME_BINS {
         let share = truth.bins[bin];
         let found = of_inside(f64::from(sample.share[bin]) / f64::from(1 << SHARE_BITS));
@@ -125,8 +193,11 @@ fn compare(sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> 
             let (truth, bound) = (share.covered, share.bound_of_time);
             return Err(Violation::Time { bin, found: covered, truth, bound });
         }
+        whole += found - share.truth;
+        bound += share.bound;
         error = error.max(off);
         of_bound = of_bound.max(off / share.bound);
     }
-    Ok(Outcome { is_inside: sample.inside, is_well_posed: truth.is_well_posed(), error, of_bound })
+    error = error.max(whole.abs());
+    Ok(Outcome { is_inside: sample.inside, is_well_posed: truth.is_well_posed(), error, of_bound, bound })
 }

@@ -2,6 +2,7 @@
 
 pub mod bound;
 pub mod check;
+pub mod setup;
 
 #[cfg(test)]
 mod tests;

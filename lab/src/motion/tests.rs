@@ -1,9 +1,11 @@
-use super::check::{case, check};
+use super::bound::WELL_POSED_ERROR;
+use super::check::{Case, Outcome, Units, Violation, case};
 use fastrand::Rng;
-use pointcore::stimuli::motion::Family;
+use pointcore::stimuli::motion::{Family, camera, rendering};
+use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_contract::splat::{Config, Division};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
-use pointcore_golden::splat::MotionEvaluation;
+use pointcore_golden::reference::motion::{Shutter, quadrature};
 
 /// Cases of a family in a configuration.
 const CASES: usize = 4000;
@@ -27,18 +29,18 @@ fn random() -> Rng {
     Rng::with_seed(seed)
 }
 
-#[test]
-fn shares_are_within_their_bound() {
+/// Runs cases of every family in every configuration; so many of each must be inside.
+fn hold(check: impl Fn(&Units, &Case) -> Result<Outcome, Violation>) {
     for config in configs() {
-        let unit = MotionEvaluation::new(&config, 1);
+        let units = Units::new(&config);
         let mut random = random();
         for family in Family::ALL {
             let (mut cases, mut inside, mut well_posed) = (0, 0, 0);
             let (mut worst, mut worst_posed, mut of_bound) = (0.0_f64, 0.0_f64, 0.0_f64);
             for _ in 0..CASES {
                 let Some(case) = case(&mut random, family, &config) else { continue };
-                let outcome = check(&unit, &case, &config)
-                    .unwrap_or_else(|violation| panic!("{family:?}: {violation}: {case:?}"));
+                let outcome =
+                    check(&units, &case).unwrap_or_else(|violation| panic!("{family:?}: {violation}: {case:?}"));
                 cases += 1;
                 inside += u32::from(outcome.is_inside);
                 well_posed += u32::from(outcome.is_well_posed && outcome.is_inside);
@@ -48,13 +50,55 @@ fn shares_are_within_their_bound() {
                     worst_posed = worst_posed.max(outcome.error);
                 }
             }
-            println!(
-                "{} {family:?}: {cases} cases, {inside} inside, {well_posed} well-posed; worst 2^{:.1}, well-posed 2^{:.1}, {of_bound:.3} of the bound",
-                config.geometry,
-                worst.log2(),
-                worst_posed.log2(),
-            );
+            let [worst, worst_posed] = [worst, worst_posed].map(f64::log2);
+            let format = config.geometry;
+            println!("{format} {family:?}: {cases} cases, {inside} inside, {well_posed} of them well-posed");
+            println!("  worst 2^{worst:.1}, well-posed 2^{worst_posed:.1}, {of_bound:.3} of the bound");
             assert!(inside > 50, "{family:?}: only {inside} of {cases} are inside");
         }
     }
+}
+
+#[test]
+fn evaluation_is_within_its_bound_of_the_footprint_that_it_is_given() {
+    hold(Units::evaluate);
+}
+
+#[test]
+fn setup_and_evaluation_are_within_their_bound_of_the_splat() {
+    hold(Units::draw);
+}
+
+#[test]
+fn quadrature_says_the_same() {
+    let [config, ..] = configs();
+    let (units, camera, rendering) = (Units::new(&config), camera(&config), rendering(&config));
+    let mut random = random();
+    let (mut others, mut well_posed, mut worst) = (0, 0, 0.0_f64);
+    // Those whose center is as given in single precision.
+    for family in Family::ALL.into_iter().filter(|family| *family != Family::AtBorders) {
+        for index in 0..CASES {
+            let Some(case) = case(&mut random, family, &config) else { continue };
+            let outcome = units.draw(&case).unwrap_or_else(|violation| panic!("{family:?}: {violation}: {case:?}"));
+            if !outcome.is_inside || !(outcome.is_well_posed || index < CASES / 40) {
+                continue;
+            }
+            let share: u32 = units.drawn(&case).share.iter().sum();
+            let found = f64::from(share) / f64::from(1 << SHARE_BITS);
+            let moved = &case.moved;
+            let numbers = quadrature::integral(&moved.splat, &moved.place, Shutter::Box, &camera, &rendering);
+            // At either end the sum errs by half a step times a kernel.
+            let off = (found - numbers).abs() - quadrature::STEP;
+            let bound = if outcome.is_well_posed { outcome.bound.min(WELL_POSED_ERROR) } else { outcome.bound };
+            assert!(off <= bound, "{family:?}: {found} beside {numbers}: {case:?}");
+            if outcome.is_well_posed {
+                well_posed += 1;
+                worst = worst.max(off);
+            } else {
+                others += 1;
+            }
+        }
+    }
+    println!("{well_posed} well-posed and {others} others; well-posed off by {worst:e} beyond what the sum resolves");
+    assert!(well_posed > 200 && others > 200, "{well_posed} and {others}");
 }
