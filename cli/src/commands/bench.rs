@@ -2,7 +2,9 @@
 
 use super::{Failure, Output, existing, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{bounds, configurations, effects, front, knn, motion, operators, process, splat, traffic};
+use pointcore_lab::bench::{
+    bounds, configurations, effects, front, knn, motion, motion_units, operators, process, splat, traffic,
+};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
@@ -34,8 +36,8 @@ enum Part {
     Traffic,
     /// The renderer: what leaving out saves that a scene does not call for.
     Effects,
-    /// Motion blur in f64: how far each method is from many samples in time; a table and strips of pictures go to a folder `motion-bench` beside the
-    /// output.
+    /// Motion blur: what its units make of random splats, beside f64 and in lockstep; in f64, how far each method is from many samples in time, with a
+    /// table and strips of pictures in a folder `motion-bench` beside the output.
     Motion,
     /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,
@@ -69,6 +71,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         effects::figures(scan, &mut figures)?;
     }
     if measures(Part::Motion) {
+        motion_units::figures(&mut figures)?;
         motion::figures(&arguments.output.with_file_name("motion-bench"), &mut figures)?;
     }
     if measures(Part::Knn) {

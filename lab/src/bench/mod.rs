@@ -6,6 +6,7 @@ pub mod effects;
 pub mod front;
 pub mod knn;
 pub mod motion;
+pub mod motion_units;
 pub mod operators;
 mod page;
 pub mod process;

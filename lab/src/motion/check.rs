@@ -152,6 +152,13 @@ impl Units {
         self.compare(&self.drawn(case), &truth)
     }
 
+    /// The sample as evaluation takes it behind setup, or of a splat that setup drops, with the footprint in f64.
+    #[must_use]
+    pub fn place(&self, case: &Case) -> MovingPlace {
+        let splat = self.setup.setup(&case.splat, &self.uniforms);
+        case.place(splat.map_or_else(|| case.footprint.encoded(self.config.geometry), |splat| splat.footprint))
+    }
+
     /// The sample as both units have it; not covered where the splat is dropped, or has bounds without it.
     #[must_use]
     pub fn drawn(&self, case: &Case) -> MovingSample {

@@ -2,7 +2,26 @@
 
 pub mod bound;
 pub mod check;
+pub mod lockstep;
 pub mod setup;
+
+use pointcore_contract::splat::{Config, Division};
+use pointcore_contract::{Format, FragmentDepth, Sampling};
+
+/// What is measured: `f32` as it comes, `f24` with Newton steps, and all else that changes what is computed.
+#[must_use]
+pub fn configurations() -> [Config; 3] {
+    let image = Config { width: 64, height: 48, ..Config::default() };
+    let coarse = Config { geometry: Format::F24.flushed(), division: Division::Newton, ..image.clone() };
+    let other = Config {
+        kernel_gamma: 4.0,
+        sampling: Sampling::Flipquad,
+        depth: FragmentDepth::Plane,
+        division: Division::Newton,
+        ..image.clone()
+    };
+    [image, coarse, other]
+}
 
 #[cfg(test)]
 mod tests;

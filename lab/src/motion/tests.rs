@@ -1,27 +1,15 @@
 use super::bound::WELL_POSED_ERROR;
 use super::check::{Case, Outcome, Units, Violation, case};
+use super::configurations;
+use crate::Figures;
+use crate::bench::motion_units;
 use fastrand::Rng;
 use pointcore::stimuli::motion::{Family, camera, rendering};
 use pointcore_contract::splat::motion::SHARE_BITS;
-use pointcore_contract::splat::{Config, Division};
-use pointcore_contract::{Format, FragmentDepth, Sampling};
 use pointcore_golden::reference::motion::{Shutter, quadrature};
 
 /// Cases of a family in a configuration.
 const CASES: usize = 4000;
-
-fn configs() -> [Config; 3] {
-    let image = Config { width: 64, height: 48, ..Config::default() };
-    let coarse = Config { geometry: Format::F24.flushed(), division: Division::Newton, ..image.clone() };
-    let other = Config {
-        kernel_gamma: 4.0,
-        sampling: Sampling::Flipquad,
-        depth: FragmentDepth::Plane,
-        division: Division::Newton,
-        ..image.clone()
-    };
-    [image, coarse, other]
-}
 
 fn random() -> Rng {
     let seed = std::env::var("POINTCORE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
@@ -31,7 +19,7 @@ fn random() -> Rng {
 
 /// Runs cases of every family in every configuration; so many of each must be inside.
 fn hold(check: impl Fn(&Units, &Case) -> Result<Outcome, Violation>) {
-    for config in configs() {
+    for config in configurations() {
         let units = Units::new(&config);
         let mut random = random();
         for family in Family::ALL {
@@ -71,7 +59,7 @@ fn setup_and_evaluation_are_within_their_bound_of_the_splat() {
 
 #[test]
 fn quadrature_says_the_same() {
-    let [config, ..] = configs();
+    let [config, ..] = configurations();
     let (units, camera, rendering) = (Units::new(&config), camera(&config), rendering(&config));
     let mut random = random();
     let (mut others, mut well_posed, mut worst) = (0, 0, 0.0_f64);
@@ -101,4 +89,14 @@ fn quadrature_says_the_same() {
     }
     println!("{well_posed} well-posed and {others} others; well-posed off by {worst:e} beyond what the sum resolves");
     assert!(well_posed > 200 && others > 200, "{well_posed} and {others}");
+}
+
+#[test]
+fn the_benchmark_counts_cases_and_finds_nothing() {
+    let mut figures = Figures::new();
+    motion_units::counted(1_000, 100, &mut figures).unwrap_or_else(|error| panic!("{error}"));
+    let count = |key: &str| figures[&format!("motion.{key}")].as_u64().expect("it is a count");
+    assert_eq!((count("golden_cases"), count("rtl_cases")), (1_000, 100));
+    assert_eq!((count("violations"), count("mismatches")), (0, 0));
+    assert!(count("golden_covered") > 500);
 }
