@@ -1,6 +1,7 @@
 //! Golden setup and evaluation beside f64, case by case.
 
 use super::bound::{Shares, WELL_POSED_ERROR};
+use super::depth;
 use super::setup::Magnitudes;
 use fastrand::Rng;
 use glam::DVec3;
@@ -8,9 +9,10 @@ use pointcore::number::decode;
 use pointcore::stimuli::motion::{Family, Moved, camera, encoded, motion_uniforms, moved, rendering};
 use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::motion::{SHARE_BITS, TIME_BINS, TIME_FRACTION_BITS, TIMES};
 use pointcore_contract::splat::records::{self, ImageRectangle, MovingPlace, MovingSample};
-use pointcore_golden::reference::motion::{Interval, MovingFootprint, Way};
+use pointcore_golden::reference::motion::{Interval, MovingFootprint, Place, Way};
 use pointcore_golden::splat::{MotionEvaluation, MotionSetup, MotionUniforms};
 
 /// A moving splat and a sample, with the truth about it.
@@ -69,6 +71,18 @@ pub enum Violation {
         truth: f64,
         /// What it may be off.
         bound: f64,
+    },
+    /// A depth is farther from the truth than its bound.
+    #[error("time {time}: depth {found}, expected {low} to {high}")]
+    Depth {
+        /// The border's place.
+        time: usize,
+        /// What was computed.
+        found: f64,
+        /// The least that it may be.
+        low: f64,
+        /// The most.
+        high: f64,
     },
     /// Times are in no order, though the sample is covered.
     #[error("times {0:?}")]
@@ -138,7 +152,23 @@ impl Units {
         let record = case.footprint.encoded(geometry);
         let footprint = MovingFootprint::decoded(&record, geometry, case.footprint.bounds.clone());
         let sample = self.evaluation.evaluate(&case.place(record), self.uniforms.viewport.depth_a);
+        self.depths(&sample, &footprint, &case.moved.place)?;
         self.compare(&sample, &Shares::new(&footprint, &case.moved.place, geometry, kernel_gamma))
+    }
+
+    /// Holds the depths of a sample against those of a footprint.
+    fn depths(&self, sample: &MovingSample, footprint: &MovingFootprint, place: &Place) -> Result<(), Violation> {
+        let format = self.config.geometry;
+        let depth_a = f64::from(decode(format, self.uniforms.viewport.depth_a));
+        for (time, &depth) in sample.depth.iter().enumerate().filter(|_| sample.inside) {
+            let found = f64::from(depth) / f64::from(1 << DEPTH_BITS);
+            let numbers = [depth_a, depth::unit(format)];
+            let range = depth::range(footprint, place, sample.time[time], numbers, self.config.depth);
+            if !range.contains(&found) {
+                return Err(Violation::Depth { time, found, low: *range.start(), high: *range.end() });
+            }
+        }
+        Ok(())
     }
 
     /// What setup and evaluation make of a splat, beside the truth about it.

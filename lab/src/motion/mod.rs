@@ -2,6 +2,7 @@
 
 pub mod bound;
 pub mod check;
+pub mod depth;
 pub mod lockstep;
 pub mod setup;
 
