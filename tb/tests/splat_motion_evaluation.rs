@@ -37,7 +37,8 @@ fn places(config: &Config) -> Vec<MovingPlace> {
             places[place] = noise;
         } else {
             let numbers = &mut places[place].footprint;
-            let choices = [&mut numbers.time, &mut numbers.determinant[0], &mut numbers.place[1][0], &mut numbers.speed[0][2]];
+            let choices =
+                [&mut numbers.time, &mut numbers.determinant[0], &mut numbers.place[1][0], &mut numbers.speed[0][2]];
             let choice = random.usize(0..choices.len());
             *choices.into_iter().nth(choice).expect("it is one of them") = noise.footprint.time;
         }
