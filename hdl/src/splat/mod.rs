@@ -6,6 +6,7 @@ pub mod arbiter;
 pub mod collector;
 pub mod depth_test;
 pub mod distributor;
+pub mod fragment_collector;
 pub mod heap;
 pub mod lane;
 pub mod lists;
@@ -22,11 +23,10 @@ pub mod top;
 pub mod transform;
 pub mod weighting;
 
-mod parts;
+pub(crate) mod parts;
 
 use crate::compiler::{CompileError, Options};
 use pointcore_contract::Unit;
-use pointcore_contract::splat::records::{FinishedPixel, Fragment};
 use pointcore_contract::splat::{Config, units};
 use rtl::Module;
 
@@ -50,9 +50,9 @@ pub const UNITS: [(&Unit<Config>, Describe); 21] = [
     (&units::accumulator::UNIT, |config| Ok(accumulator::module(config))),
     (&units::lane::UNIT, |config| Ok(lane::lane(config, &Options::default())?.module)),
     (&units::arbiter::UNIT, |config| Ok(arbiter::module(config))),
-    (&units::collector::UNIT, |config| Ok(collector::module::<FinishedPixel>(config))),
+    (&units::collector::UNIT, |config| Ok(collector::module(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
-    (&units::fragment_collector::UNIT, |config| Ok(collector::module::<Fragment>(config))),
+    (&units::fragment_collector::UNIT, |config| Ok(fragment_collector::module(config))),
     (&units::motion_setup::UNIT, |config| Ok(motion_setup::datapath(config, &Options::default())?.module)),
     (&units::motion_evaluation::UNIT, |config| Ok(motion_evaluation::datapath(config, &Options::default())?.module)),
     (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),

@@ -1,5 +1,6 @@
 //! What the tests of the renderer's units share: configurations, stimuli, and the comparison of a unit with its model.
 
+pub mod collected;
 pub mod exchange;
 pub mod scene;
 

@@ -1,5 +1,6 @@
 //! What several units of the renderer share.
 
+pub(crate) mod collected;
 pub(crate) mod division;
 pub(crate) mod place;
 pub mod share;

@@ -15,7 +15,7 @@ use super::wiring::{Abort, report};
 use crate::bus::{Top, frames, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::arbiter::{self, Client};
-use crate::splat::collector::{self, Source};
+use crate::splat::parts::collected::{self, Source};
 use crate::splat::top;
 use crate::stream::fifo;
 use crate::units::passage::Passage;
@@ -133,7 +133,7 @@ fn only_port(m: &mut Module, config: &Config, core: Instance, reset: Expr) -> (C
         let join = |(number, pair): (usize, &[(Client, Source<Fragment>)])| {
             let client = arbiter::join(m, config, &format!("arbiter_{level}_{number}"), [pair[0].0, pair[1].0]);
             let name = format!("fragment_collector_{level}_{number}");
-            let fragments = collector::join(m, config, &name, [pair[0].1, pair[1].1]);
+            let fragments = collected::join(m, config, &name, [pair[0].1, pair[1].1]);
             m.reset_by(client.instance, reset);
             m.reset_by(fragments.0, reset);
             (client, fragments)

@@ -9,8 +9,8 @@ use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEven
 
 use crate::compiler::{CompileError, Manifest, Options};
 use crate::splat::arbiter::{self, Client};
-use crate::splat::collector::{self, Source};
 use crate::splat::lane::Lane;
+use crate::splat::parts::collected::{self, Source};
 use crate::splat::{distributor as distributors, lane as lanes};
 use crate::units::ports::{OutputPorts, WordPort, pipe};
 use crate::units::wires::Wires;
@@ -75,7 +75,7 @@ impl Planting<'_> {
         pipe(m, config, (distributor, distributor::PORTS.high), (high, lane::PORTS.input));
         let port = low_port.zip(high_port).map(|(low, high)| Port {
             memory: arbiter::join(m, config, &name("arbiter"), [low.memory, high.memory]),
-            pixel: collector::join(m, config, &name("collector"), [low.pixel, high.pixel]),
+            pixel: collected::join(m, config, &name("collector"), [low.pixel, high.pixel]),
         });
         (distributor, port)
     }
