@@ -18,6 +18,8 @@ PAGE ?= out/accuracy/$(basename $(notdir $(SCENE)))/index.html
 REVISION ?= $(shell git log -1 --format=%h -- docs/area.json)
 # How the libraries for other languages are built: dev or release.
 PROFILE ?= dev
+# What cargo builds where the program or a library is wanted, if not those alone; CI names all, which it has built for the tests.
+PACKAGES ?=
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim sim_axi synth
@@ -132,7 +134,8 @@ synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an E
 	cargo run --release --bin pointcore -- area --record docs/area.json --tables docs/results.md --merge out/bench.json $(UNIT) $(ARGS)
 
 check-area: ## Check that docs/area.json is of the hardware as it is now where it does not say otherwise, and that the tables of docs/results.md are made from it
-	cargo run --bin pointcore -- area --check docs/area.json --tables docs/results.md
+	cargo build $(or $(PACKAGES),--bin pointcore)
+	$(or $(CARGO_TARGET_DIR),target)/debug/pointcore area --check docs/area.json --tables docs/results.md
 
 mark-area: ## Have what docs/area.json holds of other hardware name the REVISION it was measured of (default: where the record last changed)
 	cargo run --bin pointcore -- area --mark-stale $(REVISION) --record docs/area.json --tables docs/results.md
