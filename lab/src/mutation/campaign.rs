@@ -83,6 +83,8 @@ pub struct Subject {
     pub core: Option<String>,
     /// Its top module.
     pub top: String,
+    /// The module that compares the top with a mutant of it, where it is known which outputs count when.
+    pub comparison: Option<String>,
     /// The tests.
     pub tests: Vec<String>,
     /// Where the tests find what is built in its place.

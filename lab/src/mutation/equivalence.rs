@@ -1,8 +1,9 @@
 //! Proofs that a mutant changes nothing that can be seen.
 //!
 //! Design and mutant run side by side on the same inputs, from all registers zero; ABC searches an invariant under which
-//! no output ever differs, or inputs that show a difference. Inputs are free: what a unit's neighbors never do counts too,
-//! so a mutant that only they could show is not equivalent here.
+//! no output ever differs, or inputs that show a difference. Of a unit, outputs count when they count in lockstep, and inputs
+//! keep the rules of streams. Else inputs are free: what a unit's neighbors never do counts too, so a mutant that only they
+//! could show is not equivalent here.
 
 use super::MutationError;
 use super::campaign::Subject;
@@ -11,6 +12,7 @@ use super::schemata::NETLIST;
 use crate::note;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::file;
+use pointcore_tb::verilated::side_by_side;
 use std::fmt;
 use std::fs;
 use std::process::Command;
@@ -102,17 +104,33 @@ fn compare(
              rename {module} {name}\ndesign -stash {name}\n"
         )
     };
-    let (gold, gate) = (flat("gold"), flat("gate"));
+    let [gold, gate] = side_by_side::VERSIONS.map(flat);
+    let (comparison, miter) = match &subject.comparison {
+        Some(comparison) if module == top => (
+            comparison.as_str(),
+            format!(
+                "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nchformal -lower\nrename {0} miter\n",
+                side_by_side::MODULE
+            ),
+        ),
+        _ => ("", "miter -equiv -flatten gold gate miter\n".to_owned()),
+    };
     // No pass here may take a value for another because it is open: what is open was set to zero in both.
     let script = format!(
         "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}design -save source\n{gold}\
          design -load source\n{mutation}\n{gate}\
          design -copy-from gold gold\ndesign -copy-from gate gate\n\
-         miter -equiv -flatten gold gate miter\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
+         {miter}hierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
          dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
          write_aiger -zinit miter.aig\n"
     );
-    for (name, text) in [("source.v", &subject.verilog), ("library.v", &subject.others), ("miter.ys", &script)] {
+    let files = [
+        ("source.v", subject.verilog.as_str()),
+        ("library.v", &subject.others),
+        ("comparison.v", comparison),
+        ("miter.ys", &script),
+    ];
+    for (name, text) in files {
         let path = folder.join(name);
         fs::write(&path, text).map_err(file("write", &path))?;
     }
@@ -143,6 +161,7 @@ fn is_answer(line: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_tb::verilated::{Direction, Port, StreamDeclaration, VerilogSource};
 
     const COUNTER: &str = "module counter(input clk, input rst, output reg [3:0] count);\n\
         wire never = count == 4'd12;\n\
@@ -164,6 +183,7 @@ mod tests {
             others: others.to_owned(),
             core: core.map(str::to_owned),
             top: top.to_owned(),
+            comparison: None,
             tests: Vec::new(),
             substitute: "unused".into(),
         }
@@ -207,5 +227,34 @@ mod tests {
         };
         let Some(unused) = stuck(2) else { return };
         assert_eq!((unused, stuck(1), stuck(0)), (Proof::Equivalent, Some(Proof::Different), Some(Proof::Different)));
+    }
+
+    #[test]
+    fn what_no_stream_offers_does_not_count_and_what_waits_is_held() {
+        let unit = "module unit(input clk, input rst, input in_valid, input in_x, output in_ready, output out_valid,\n\
+            output out_x, output broken);\n\
+            reg full, waited, kept;\nassign in_ready = full;\nassign out_valid = full;\nwire idle = in_x ^ waited;\n\
+            assign out_x = full ? kept : idle;\nassign broken = waited && in_x != kept;\n\
+            always @(posedge clk) begin\nwaited <= in_valid && !full && !rst;\nkept <= in_x;\n\
+            full <= in_valid && !full && !rst;\nend\nendmodule\n";
+        let port = |direction| move |name: &str| Port { name: name.to_owned(), width: 1, direction };
+        let inputs = ["clk", "rst", "in_valid", "in_x"].map(port(Direction::Input));
+        let outputs = ["in_ready", "out_valid", "out_x", "broken"].map(port(Direction::Output));
+        let streams = vec![
+            StreamDeclaration::stream("in", Direction::Input, ["x"]),
+            StreamDeclaration::pulse("out", "valid", Direction::Output, ["x"]),
+        ];
+        let ports = [inputs, outputs].concat();
+        let source = VerilogSource { verilog: unit.to_owned(), top: "unit".to_owned(), ports, streams };
+        let strict = subject(unit, "", None, "unit");
+        let tolerant = Subject { comparison: Some(side_by_side::side_by_side(&source)), ..strict.clone() };
+        let stuck = |subject, wire: &str| {
+            proof(subject, &format!("mutate -list 1 -mode const0 -wire {wire} -o chosen\nscript chosen\n"))
+        };
+        for (wire, expected) in [("idle", Proof::Equivalent), ("broken", Proof::Equivalent), ("kept", Proof::Different)]
+        {
+            let Some(strictly) = stuck(&strict, wire) else { return };
+            assert_eq!((strictly, stuck(&tolerant, wire)), (Proof::Different, Some(expected)), "{wire}");
+        }
     }
 }

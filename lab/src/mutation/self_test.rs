@@ -68,8 +68,8 @@ impl<'a> SelfTest<'a> {
         let others_path = work.join("others.v");
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
-        let subject =
-            Subject { verilog, others, core, top: module.clone(), tests: vec![test.clone()], substitute: mutated };
+        let (top, tests) = (module.clone(), vec![test.clone()]);
+        let subject = Subject { verilog, others, core, top, comparison: None, tests, substitute: mutated };
         let run = |_: &[String], number: u32, limit: Duration| {
             let program = work.join("obj_dir").join(format!("V{test}"));
             if !program.exists() {

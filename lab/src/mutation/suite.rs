@@ -95,10 +95,14 @@ impl Suite {
             if self.tests.contains(&test) { tests.extend([test]) } else { tests.extend(of_unit()) }
         }
         let subject = |((digest, top), tests): ((String, String), BTreeSet<String>)| {
-            let path = folder.join(format!("{digest}.{}", substitute::ORIGINAL));
-            let verilog = fs::read_to_string(&path).map_err(file("read", &path))?;
+            let read = |ending: &str| {
+                let path = folder.join(format!("{digest}.{ending}"));
+                fs::read_to_string(&path).map_err(file("read", &path))
+            };
+            let verilog = read(substitute::ORIGINAL)?;
+            let comparison = Some(read(substitute::SIDE_BY_SIDE)?);
             let (tests, substitute) = (tests.into_iter().collect(), folder.join(digest + ".v"));
-            Ok(Subject { verilog, others: String::new(), core: None, top, tests, substitute })
+            Ok(Subject { verilog, others: String::new(), core: None, top, comparison, tests, substitute })
         };
         builders.into_iter().map(subject).collect()
     }

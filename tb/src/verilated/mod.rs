@@ -6,6 +6,7 @@
 mod build;
 mod model;
 mod shim;
+pub mod side_by_side;
 pub mod substitute;
 
 use std::path::PathBuf;

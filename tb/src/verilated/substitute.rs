@@ -8,13 +8,15 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::thread;
 
+use super::side_by_side::side_by_side;
 use super::{VerilatedError, VerilogSource};
 use crate::cache::{file, key};
 
 /// The variable that names the folder of substitutes.
 ///
 /// `<digest>.v` in it is verilated in the place of the source with that digest. A source without one is written to
-/// `<digest>.original`, and a line of [`USES`] says who builds it.
+/// `<digest>.original`, its comparison with another version of itself to `<digest>.side_by_side`, and a line of [`USES`] says
+/// who builds it.
 pub const VARIABLE: &str = "POINTCORE_SUBSTITUTES";
 
 /// File of the folder with a line a build: the source's digest, its top module, and the thread, which a test gives its name.
@@ -22,6 +24,9 @@ pub const USES: &str = "uses";
 
 /// Ending of a source as it is, beside its digest.
 pub const ORIGINAL: &str = "original";
+
+/// Ending of the module that compares two versions of a source, beside its digest: [`side_by_side`].
+pub const SIDE_BY_SIDE: &str = "side_by_side";
 
 /// What of a source counts: its text and which module is the top.
 #[must_use]
@@ -51,8 +56,10 @@ fn within<'a>(source: &'a VerilogSource, folder: &Path) -> Result<Cow<'a, Verilo
         Err(error) if error.kind() == ErrorKind::NotFound => {}
         Err(error) => return Err(file("read", &path)(error).into()),
     }
-    let original = folder.join(format!("{digest}.{ORIGINAL}"));
-    fs::write(&original, &source.verilog).map_err(file("write", &original))?;
+    for (ending, text) in [(ORIGINAL, &source.verilog), (SIDE_BY_SIDE, &side_by_side(source))] {
+        let path = folder.join(format!("{digest}.{ending}"));
+        fs::write(&path, text).map_err(file("write", &path))?;
+    }
     let uses = folder.join(USES);
     let line = format!("{digest} {} {}\n", source.top, thread::current().name().unwrap_or("-"));
     let appended = OpenOptions::new().create(true).append(true).open(&uses);
