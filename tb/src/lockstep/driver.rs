@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::comparison::Comparison;
 use super::failure::{Cause, LockstepError, LockstepFailure, Waveform};
+use super::interrupted::interrupted;
 use super::protocol::Protocol;
 use super::replay::Replay;
 use super::seed::SEED_VARIABLE;
@@ -117,13 +118,14 @@ impl<G: Golden> Lockstep<G> {
         self
     }
 
-    /// Resets both, then steps both until the stimulus is done, comparing every output in every cycle.
+    /// Resets both, then steps both until the stimulus is done, comparing every output in every cycle. The hardware begins in
+    /// the middle of such a run: of what it was doing, the reset leaves nothing.
     ///
     /// # Errors
     /// The first difference, broken protocol or failed assertion; a run beyond its limit; a run without transaction.
     pub fn run<S: Stimulus + Clone>(mut self, mut stimulus: S) -> Result<Run<S>, LockstepError> {
         let initial = stimulus.clone();
-        let mut hardware = self.library.instantiate(self.seed);
+        let mut hardware = interrupted(&self.library, self.seed, initial.clone())?;
         let mut state = State::new(&self.library, &self.streams);
         for _ in 0..RESET_CYCLES {
             hardware.step(&state.inputs, &mut state.outputs)?;
@@ -160,7 +162,7 @@ impl<G: Golden> Lockstep<G> {
         Ok(state.protocol.check(&state.inputs, &state.outputs).map_err(Cause::Protocol))
     }
 
-    fn explain(&mut self, cycle: u64, cause: Cause, state: &State, initial: impl Stimulus) -> LockstepError {
+    fn explain(&mut self, cycle: u64, cause: Cause, state: &State, initial: impl Stimulus + Clone) -> LockstepError {
         let replay = Replay {
             library: &self.library,
             seed: self.seed,

@@ -8,6 +8,7 @@ mod comparison;
 mod driver;
 mod failure;
 mod fault;
+mod interrupted;
 mod protocol;
 mod replay;
 mod seed;

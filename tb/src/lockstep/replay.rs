@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::comparison::Comparison;
 use super::failure::Waveform;
+use super::interrupted::interrupted;
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
 use crate::cache::kept;
 use crate::verilated::{Library, VerilatedError, substitute};
@@ -25,16 +26,16 @@ pub struct Replay<'a> {
 
 impl Replay<'_> {
     /// Runs `stimulus` from its beginning up to the failing cycle.
-    pub fn run(mut self, stimulus: impl Stimulus) -> Waveform {
+    pub fn run(mut self, stimulus: impl Stimulus + Clone) -> Waveform {
         self.record(stimulus).unwrap_or_else(Waveform::Unavailable)
     }
 
-    fn record(&mut self, mut stimulus: impl Stimulus) -> Result<Waveform, VerilatedError> {
+    fn record(&mut self, mut stimulus: impl Stimulus + Clone) -> Result<Waveform, VerilatedError> {
         let path = self.path()?;
         if substitute::are_asked_for() {
             return Err(VerilatedError::Waveform { path, reason: "substitutes are run without" });
         }
-        let mut model = self.library.traced()?.instantiate(self.seed);
+        let mut model = interrupted(&self.library.traced()?, self.seed, stimulus.clone())?;
         let mut inputs = self.library.reset_inputs();
         let mut outputs = vec![0; self.library.outputs().len()];
         let first = (RESET_CYCLES + self.cycle + 1).saturating_sub(self.recorded);

@@ -3,13 +3,13 @@
 pub mod host;
 pub mod searched;
 
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 
 use pointcore_contract::bus::{ChannelIn, ChannelOut, VALID};
 use pointcore_contract::unit::{In, Out, READY};
 use pointcore_contract::{Field, Record, fields};
-use pointcore_tb::lockstep::{Stall, Stalls};
-use pointcore_tb::verilated::{Direction, Port, VerilatedModel};
+use pointcore_tb::lockstep::{RESET_CYCLES, Stall, Stalls};
+use pointcore_tb::verilated::{Direction, Port, RESET, StreamDeclaration, VerilatedModel, VerilogSource};
 use rtl::{Module, cat, elaborate};
 
 use crate::support;
@@ -18,19 +18,26 @@ use crate::support;
 const WORD_BITS: u32 = 64;
 /// No test of a unit or a top takes as many.
 const CYCLES_MAX: u64 = 4_000_000;
+/// Cycles before the reset, at most.
+const SENSELESS_CYCLES: u32 = 200;
 /// Runs of one configuration.
 pub const SEEDS: u64 = 30;
 
-/// Splits ports that are wider than a word into words `<port>_0`, `<port>_1` …, lowest first.
-fn narrow(unit: Module) -> Module {
-    let ports = elaborate(&unit).unwrap_or_else(|error| panic!("{error}")).ports().to_vec();
+/// A unit, with ports that are wider than a word split into words `<port>_0`, `<port>_1` …, lowest first.
+fn narrow(unit: Module) -> VerilogSource {
+    let inner = elaborate(&unit).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(inner.combinational_paths(), [], "{} has a path from input to output", inner.top());
     let mut m = Module::new("bus_shell", "A unit whose ports fit words.");
     let inside = m.instance("unit", unit);
-    for Port { name, width, direction } in ports.iter().filter(|port| !["clk", "rst"].contains(&port.name.as_str())) {
+    let mut split = HashMap::new();
+    for Port { name, width, direction } in
+        inner.ports().iter().filter(|port| !["clk", "rst"].contains(&port.name.as_str()))
+    {
         let words = (0..width.div_ceil(WORD_BITS)).map(|word| {
             let bits = (width - word * WORD_BITS).min(WORD_BITS);
             (if *width > WORD_BITS { format!("{name}_{word}") } else { name.clone() }, word * WORD_BITS, bits)
         });
+        split.insert(name.as_str(), words.clone().map(|(word, ..)| word).collect::<Vec<_>>());
         match direction {
             Direction::Input => {
                 let words: Vec<_> = words.map(|(word, _, bits)| m.input(&word, bits)).collect();
@@ -42,7 +49,13 @@ fn narrow(unit: Module) -> Module {
             }
         }
     }
-    m
+    let shell = elaborate(&m).unwrap_or_else(|error| panic!("{error}"));
+    let words = |stream: &StreamDeclaration| {
+        let fields = stream.field_ports().flat_map(|port| split[port.as_str()].clone());
+        let fields = fields.map(|port| port[stream.name.len() + 1..].to_owned()).collect();
+        StreamDeclaration { fields, ..stream.clone() }
+    };
+    VerilogSource { streams: inner.streams().iter().map(words).collect(), ..VerilogSource::from(&shell) }
 }
 
 /// A unit at work.
@@ -55,12 +68,24 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// A unit after reset.
+    /// A unit after a reset that found it in the middle of anything.
     pub fn new(unit: Module, seed: u64) -> Self {
-        let library = support::verilate(&narrow(unit));
+        let library = support::build(&narrow(unit));
         let mut model = library.instantiate(seed);
-        model.reset(2).unwrap();
-        Self { inputs: vec![0; library.inputs().len()], outputs: vec![0; library.outputs().len()], model, cycle: 0 }
+        let (mut inputs, mut outputs) = (vec![0; library.inputs().len()], vec![0; library.outputs().len()]);
+        let mut random = fastrand::Rng::with_seed(seed);
+        model.reset(RESET_CYCLES).unwrap();
+        for _ in 0..random.u32(..SENSELESS_CYCLES) {
+            let sides = inputs.iter_mut().zip(library.inputs()).filter(|(_, port)| port.name != RESET);
+            sides.for_each(|(input, port)| *input = random.u64(..) >> (WORD_BITS - port.width));
+            // An assertion may object to what makes no sense.
+            if model.step(&inputs, &mut outputs).is_err() {
+                model = library.instantiate(seed);
+                break;
+            }
+        }
+        model.reset(RESET_CYCLES).unwrap();
+        Self { inputs: vec![0; inputs.len()], outputs, model, cycle: 0 }
     }
 
     /// The places of a port's words.

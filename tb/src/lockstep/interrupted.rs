@@ -1,0 +1,33 @@
+//! Hardware in the middle of something, for a reset to end.
+
+use std::sync::Arc;
+
+use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
+use crate::verilated::{Library, VerilatedError, VerilatedModel};
+
+/// Cycles of the run that the reset ends, at most.
+const LONGEST: u64 = 300;
+
+/// Hardware in the middle of a run of `stimulus`, the same for the same `seed`; nothing of this run is compared.
+pub fn interrupted(
+    library: &Arc<Library>,
+    seed: u64,
+    mut stimulus: impl Stimulus,
+) -> Result<VerilatedModel, VerilatedError> {
+    let mut model = library.instantiate(seed);
+    model.reset(RESET_CYCLES)?;
+    let mut inputs = vec![0; library.inputs().len()];
+    let mut outputs = vec![0; library.outputs().len()];
+    for cycle in 0..fastrand::Rng::with_seed(seed).u64(1..=LONGEST) {
+        if stimulus.drive(cycle, &outputs, &mut inputs) == Flow::Done {
+            break;
+        }
+        match model.step(&inputs, &mut outputs) {
+            Ok(()) => {}
+            // The run proper comes to it, too, and says so.
+            Err(VerilatedError::Stopped(_)) => return Ok(library.instantiate(seed)),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(model)
+}
