@@ -2,8 +2,8 @@
 //!
 //! Design and mutant run side by side on the same inputs, from all registers zero; ABC searches an invariant under which
 //! no output ever differs, or inputs that show a difference. Of a unit, outputs count when they count in lockstep, and inputs
-//! keep the rules of streams. Else inputs are free: what a unit's neighbors never do counts too, so a mutant that only they
-//! could show is not equivalent here.
+//! keep the rules of streams. The design's assertions hold, as simulations and proofs check; they tell what its neighbors
+//! never do. Else inputs are free, so a mutant that only such neighbors could show is not equivalent here.
 
 use super::MutationError;
 use super::campaign::Subject;
@@ -105,11 +105,15 @@ fn compare(
         )
     };
     let [gold, gate] = side_by_side::VERSIONS.map(flat);
+    let source = |options: &str, name: &str| {
+        format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
+    };
+    let [assuming, plain] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
     let (comparison, miter) = match &subject.comparison {
         Some(comparison) if module == top => (
             comparison.as_str(),
             format!(
-                "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nchformal -lower\nrename {0} miter\n",
+                "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
                 side_by_side::MODULE
             ),
         ),
@@ -117,15 +121,15 @@ fn compare(
     };
     // No pass here may take a value for another because it is open: what is open was set to zero in both.
     let script = format!(
-        "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}design -save source\n{gold}\
-         design -load source\n{mutation}\n{gate}\
+        "{assuming}chformal -assert2assume\n{gold}design -reset\n{plain}{mutation}\n{gate}design -reset\n\
          design -copy-from gold gold\ndesign -copy-from gate gate\n\
-         {miter}hierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
+         {miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
          dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
          write_aiger -zinit miter.aig\n"
     );
     let files = [
         ("source.v", subject.verilog.as_str()),
+        ("assuming.v", &assuming_assertions(&subject.verilog)),
         ("library.v", &subject.others),
         ("comparison.v", comparison),
         ("miter.ys", &script),
@@ -148,6 +152,14 @@ fn compare(
         Verdict::Failed(_) => Proof::Different,
         Verdict::Passed | Verdict::Stuck => Proof::Open,
     })
+}
+
+/// The design with assertions that hold in every cycle, to be assumed. Simulations with assertions spoil what a memory's
+/// port reads while it is written; the mutant does not, and need not differ for that.
+fn assuming_assertions(verilog: &str) -> String {
+    let clocked = "always @(posedge clk) if (!rst) begin\n`ifdef FORMAL";
+    let held = "always @* if (!rst) begin\n`ifdef FORMAL";
+    verilog.replace(clocked, held).replace("_word <= ~words[", "_word <= words[")
 }
 
 /// What ABC says of a property that holds, and of one that does not.
@@ -227,6 +239,27 @@ mod tests {
         };
         let Some(unused) = stuck(2) else { return };
         assert_eq!((unused, stuck(1), stuck(0)), (Proof::Equivalent, Some(Proof::Different), Some(Proof::Different)));
+    }
+
+    #[test]
+    fn what_an_assertion_rules_out_does_not_count() {
+        let asserted = "`ifdef RTL_ASSERT\n    always @(posedge clk) if (!rst) begin\n`ifdef FORMAL\n        \
+            in_range: assert (~x_valid | (x != 2'd3));\n`else\n        if (x == 2'd3) $stop;\n`endif\n    end\n`endif\n";
+        let unit = |checks: &str| {
+            "module unit(input clk, input rst, input x_valid, input [1:0] x, output reg [1:0] seen);\n\
+             wire never = x_valid && x == 2'd3;\nwire zero = x_valid && x == 2'd0;\n\
+             always @(posedge clk) seen <= rst ? 2'd0 : {never, zero};\n"
+                .to_owned()
+                + checks
+                + "endmodule\n"
+        };
+        let [open, ruled] = ["", asserted].map(|checks| subject(&unit(checks), "", None, "unit"));
+        let stuck = |subject, wire: &str| {
+            proof(subject, &format!("mutate -list 1 -mode const0 -wire {wire} -o chosen\nscript chosen\n"))
+        };
+        let Some(anything) = stuck(&open, "never") else { return };
+        assert_eq!((anything, stuck(&ruled, "never")), (Proof::Different, Some(Proof::Equivalent)));
+        assert_eq!(stuck(&ruled, "zero"), Some(Proof::Different));
     }
 
     #[test]
