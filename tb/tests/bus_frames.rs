@@ -11,9 +11,6 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::{Bench, SEEDS};
 
 const CYCLES: u32 = 60_000;
-/// Values of a uniform: few, so that many a write changes nothing.
-const VALUES: u32 = 3;
-
 /// A host that asks for frames ahead, and a core that takes its time.
 struct World {
     random: fastrand::Rng,
@@ -24,6 +21,8 @@ struct World {
     to_send: u32,
     /// Uniforms that were never written hold anything.
     unwritten: u8,
+    /// What was last written, by address.
+    written: Vec<u32>,
 }
 
 impl World {
@@ -39,7 +38,14 @@ impl World {
             let filter = places::<Uniforms>(config).filter_scale.map(|place| place as u8);
             let any = filter.filter(|_| self.random.bool()).unwrap_or_else(|| self.random.u8(..addresses));
             let address = if is_first { self.unwritten } else { any };
-            UniformWrite { address, data: self.random.u32(..VALUES) << 8 }
+            // As it is, but for a bit, or any.
+            let last = &mut self.written[usize::from(address)];
+            *last = match self.random.u8(..3) {
+                0 => *last,
+                1 => *last ^ 1 << self.random.u32(..u32::BITS),
+                _ => self.random.u32(..),
+            };
+            UniformWrite { address, data: *last }
         });
         self.waiting |= start;
         let set_up = self.to_set_up > 0 && self.random.u8(..90) == 0;
@@ -57,7 +63,8 @@ fn exchange(screen_filter: Feature, seed: u64) {
     let mut model = Frames::new(&config);
     let unwritten = fields::<Uniforms>(&config).len() as u8;
     let random = fastrand::Rng::with_seed(seed);
-    let mut world = World { random, waiting: false, to_set_up: 0, to_send: 0, unwritten };
+    let written = vec![0; unwritten.into()];
+    let mut world = World { random, waiting: false, to_set_up: 0, to_send: 0, unwritten, written };
     let (mut begun, mut most) = (0, 0);
     for _ in 0..CYCLES {
         let inputs = world.inputs(&config, model.begun());

@@ -20,6 +20,8 @@ struct Requests {
     /// First address and beats of each leaf.
     leaves: Vec<[u64; 2]>,
     left: u64,
+    /// Seed of the points.
+    seed: u64,
     memory: Memory,
     /// Requests without an answer.
     open: Vec<Vec<u64>>,
@@ -28,8 +30,8 @@ struct Requests {
 }
 
 /// The points of a beat, as good as any.
-fn points(config: &Config, address: u64) -> impl Iterator<Item = u64> {
-    let mut random = fastrand::Rng::with_seed(address);
+fn points(config: &Config, seed: u64, address: u64) -> impl Iterator<Item = u64> {
+    let mut random = fastrand::Rng::with_seed(seed ^ address);
     let width = config.geometry.width();
     (0..3 * config.lanes).map(move |_| random.u64(..1 << width))
 }
@@ -56,7 +58,7 @@ impl Requests {
         let [thread, address, beats] = request[..] else { panic!("a request has three fields") };
         let last = count + 1 == beats;
         assert_eq!(fields[..3], [thread, address + count, u64::from(last)]);
-        assert!(fields[3..].iter().copied().eq(points(&self.config, address + count)), "the points of {address}");
+        assert!(fields[3..].iter().copied().eq(points(&self.config, self.seed, address + count)), "the points of {address}");
         if last {
             self.ask(feeds, thread);
         } else {
@@ -65,20 +67,21 @@ impl Requests {
     }
 }
 
-fn answer(config: &Config, feeds: &mut Feeds, request: &[u64]) {
+fn answer(config: &Config, seed: u64, feeds: &mut Feeds, request: &[u64]) {
     let &[thread, address, beats] = request else { panic!("a request has three fields") };
     for beat in address..address + beats {
         let place = [thread, beat, u64::from(beat + 1 == address + beats)];
-        feeds.feed("fill", place.into_iter().chain(points(config, beat)).collect());
+        feeds.feed("fill", place.into_iter().chain(points(config, seed, beat)).collect());
     }
 }
 
 impl Rule for Requests {
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        let (config, seed) = (&self.config, self.seed);
         match stream {
-            "miss" => self.memory.request(feeds, fields, |feeds, request| answer(&self.config, feeds, request)),
+            "miss" => self.memory.request(feeds, fields, |feeds, request| answer(config, seed, feeds, request)),
             "fill" if fields[2] == 1 => {
-                self.memory.answered(feeds, |feeds, request| answer(&self.config, feeds, request));
+                self.memory.answered(feeds, |feeds, request| answer(config, seed, feeds, request));
             }
             "beat" => self.beat(feeds, fields),
             _ => {}
@@ -102,6 +105,7 @@ fn leaves_are_kept_and_replaced_as_in_the_model() {
                 config: config.clone(),
                 leaves: leaves.collect(),
                 left: REQUESTS,
+                seed: feeds.random.u64(..),
                 memory: Memory::default(),
                 open: vec![],
                 answer: None,

@@ -119,9 +119,10 @@ fn compare(
         ),
         _ => ("", "miter -equiv -flatten gold gate miter\n".to_owned()),
     };
+    // The mutant comes first: its cells have the names of a first reading.
     // No pass here may take a value for another because it is open: what is open was set to zero in both.
     let script = format!(
-        "{assuming}chformal -assert2assume\n{gold}design -reset\n{plain}{mutation}\n{gate}design -reset\n\
+        "{plain}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
          design -copy-from gold gold\ndesign -copy-from gate gate\n\
          {miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
          dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
