@@ -11,6 +11,7 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::{Bench, SEEDS};
 
 const CYCLES: u32 = 60_000;
+
 /// A host that asks for frames ahead, and a core that takes its time.
 struct World {
     random: fastrand::Rng,
@@ -38,7 +39,7 @@ impl World {
             let filter = places::<Uniforms>(config).filter_scale.map(|place| place as u8);
             let any = filter.filter(|_| self.random.bool()).unwrap_or_else(|| self.random.u8(..addresses));
             let address = if is_first { self.unwritten } else { any };
-            // As it is, but for a bit, or any.
+            // What the uniform holds, which changes nothing; the same but for a bit; or anything.
             let last = &mut self.written[usize::from(address)];
             *last = match self.random.u8(..3) {
                 0 => *last,

@@ -58,7 +58,8 @@ impl Requests {
         let [thread, address, beats] = request[..] else { panic!("a request has three fields") };
         let last = count + 1 == beats;
         assert_eq!(fields[..3], [thread, address + count, u64::from(last)]);
-        assert!(fields[3..].iter().copied().eq(points(&self.config, self.seed, address + count)), "the points of {address}");
+        let expected = points(&self.config, self.seed, address + count);
+        assert!(fields[3..].iter().copied().eq(expected), "the points of {address}");
         if last {
             self.ask(feeds, thread);
         } else {

@@ -19,8 +19,8 @@ const FAVORITES: u64 = 4;
 struct Requests {
     config: Config,
     left: u64,
-    /// Seed of the tree.
-    tree: u64,
+    /// Seed of the records.
+    seed: u64,
     memory: Memory,
     /// Nodes and leaves without an answer: thread and address.
     nodes: Vec<[u64; 2]>,
@@ -29,9 +29,9 @@ struct Requests {
     deepest: u64,
 }
 
-/// The fields of a record of a tree, as good as any.
-fn content<R: Record>(config: &R::Config, tree: u64, address: u64) -> Vec<u64> {
-    let mut random = fastrand::Rng::with_seed(tree ^ address);
+/// The fields of a record, as good as any.
+fn content<R: Record>(config: &R::Config, seed: u64, address: u64) -> Vec<u64> {
+    let mut random = fastrand::Rng::with_seed(seed ^ address);
     fields::<R>(config).iter().map(|field| random.u64(..1 << field.width)).collect()
 }
 
@@ -62,13 +62,13 @@ impl Requests {
 }
 
 /// A record as the memory sends it: what is not its own is noise.
-fn answer(config: &Config, tree: u64, feeds: &mut Feeds, request: &[u64]) {
+fn answer(config: &Config, seed: u64, feeds: &mut Feeds, request: &[u64]) {
     let noise = feeds.random.u64(..);
     let (node, bucket) = match request[1] >> config.tree_depth {
         0 => (request[1], noise),
         _ => (noise, request[1]),
     };
-    let fields = [content::<Node>(config, tree, node), content::<Bucket>(config, tree, bucket)];
+    let fields = [content::<Node>(config, seed, node), content::<Bucket>(config, seed, bucket)];
     feeds.feed("fill", [request, &fields.concat()].concat());
 }
 
@@ -80,21 +80,21 @@ fn close(open: &mut Vec<[u64; 2]>, matches: impl Fn(&[u64; 2]) -> bool) {
 
 impl Rule for Requests {
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
-        let (config, tree) = (&self.config, self.tree);
+        let (config, seed) = (&self.config, self.seed);
         match stream {
-            "lookup" => self.memory.request(feeds, fields, |feeds, request| answer(config, tree, feeds, request)),
-            "fill" => self.memory.answered(feeds, |feeds, request| answer(config, tree, feeds, request)),
+            "lookup" => self.memory.request(feeds, fields, |feeds, request| answer(config, seed, feeds, request)),
+            "fill" => self.memory.answered(feeds, |feeds, request| answer(config, seed, feeds, request)),
             "record" => {
                 let &[thread, node, ..] = fields else { panic!("a record begins with its thread and node") };
-                let of_deepest = node >> self.config.tree_depth != 0;
-                let expected = content::<Node>(config, tree, node);
+                let of_deepest = node >> config.tree_depth != 0;
+                let expected = content::<Node>(config, seed, node);
                 assert_eq!(fields[2..], if of_deepest { vec![0; 3] } else { expected }, "node {node}");
                 close(&mut self.nodes, |request| *request == [thread, node]);
                 self.ask_node(feeds, thread);
             }
             "fetch" => {
                 let is_of = |&[thread, leaf]: &[u64; 2]| {
-                    let place = content::<Bucket>(&self.config, tree, (1 << self.config.tree_depth) + leaf);
+                    let place = content::<Bucket>(config, seed, (1 << config.tree_depth) + leaf);
                     fields[0] == thread && fields[1..] == place
                 };
                 close(&mut self.leaves, is_of);
@@ -112,11 +112,12 @@ fn records_are_kept_and_replaced_as_in_the_model() {
         let config = Config { tree_cache, ..config };
         let begin = |feeds: &mut Feeds| {
             let (memory, nodes, leaves) = (Memory::default(), vec![], vec![]);
-            let (config, tree) = (config.clone(), feeds.random.u64(..));
-            let mut requests = Requests { config, left: REQUESTS, tree, memory, nodes, leaves, deepest: 0 };
-            for thread in 0..requests.config.threads.into() {
+            let (config, seed) = (config.clone(), feeds.random.u64(..));
+            let (threads, leaves_in_flight) = (config.threads, config.leaves_in_flight);
+            let mut requests = Requests { config, left: REQUESTS, seed, memory, nodes, leaves, deepest: 0 };
+            for thread in 0..threads.into() {
                 requests.ask_node(feeds, thread);
-                (0..requests.config.leaves_in_flight).for_each(|_| requests.ask_leaf(feeds, thread));
+                (0..leaves_in_flight).for_each(|_| requests.ask_leaf(feeds, thread));
             }
             requests
         };

@@ -6,13 +6,18 @@ use std::sync::Arc;
 use pointcore_contract::{Direction, Interface, Port};
 use pointcore_golden::unit::Unit;
 use pointcore_tb::verilated::{BuildOptions, Builder, Library, StreamDeclaration, VerilogSource};
-use rtl::{self, Module, elaborate};
+use rtl::{self, Design, Module, elaborate};
 
-/// A unit, elaborated and verilated; its outputs must be functions of registers only.
-pub fn verilate(unit: &Module) -> Arc<Library> {
+/// A unit, elaborated; its outputs must be functions of registers only.
+pub fn elaborated(unit: &Module) -> Design {
     let design = elaborate(unit).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(design.combinational_paths(), [], "{} has a path from input to output", design.top());
-    build(&VerilogSource::from(&design))
+    design
+}
+
+/// A unit, elaborated and verilated.
+pub fn verilate(unit: &Module) -> Arc<Library> {
+    build(&VerilogSource::from(&elaborated(unit)))
 }
 
 /// A design, verilated so that it builds soonest.

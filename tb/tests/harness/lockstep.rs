@@ -77,6 +77,16 @@ fn faults_in_control_are_found_too() {
 }
 
 #[test]
+fn what_a_reset_leaves_is_found() {
+    // The first value is right, so that only a reset in the middle of a run tells.
+    let right_at_first = inject(FIFO, "reg [1:0] head", "head", "head = 2'd0").unwrap();
+    let broken = inject(&right_at_first, "head <= 2'd0", "head <= 2'd0;", "").unwrap();
+    let failure = failure(run(&broken, seed().unwrap(), Stall::Random(0.3)));
+    assert!(matches!(failure.cause, Cause::Mismatch(_)), "{failure}");
+    assert!(matches!(failure.waveform, Waveform::Written(_)), "{failure}");
+}
+
+#[test]
 fn a_stream_that_breaks_its_promise_is_found() {
     // The model follows the hardware, so that only the protocol can object.
     let library = library(&FIFO.replace("out_valid = count != 3'd0", "out_valid = count != 3'd0 & ~in_valid"));
