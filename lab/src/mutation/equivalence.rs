@@ -2,8 +2,8 @@
 //!
 //! Design and mutant run side by side on the same inputs, from all registers zero; ABC searches an invariant under which
 //! no output ever differs, or inputs that show a difference. Of a unit, outputs count when they count in lockstep, and inputs
-//! keep the rules of streams. The design's assertions hold, as simulations and proofs check; they tell what its neighbors
-//! never do. Else inputs are free, so a mutant that only such neighbors could show is not equivalent here.
+//! keep the rules of streams. The design's assertions are assumed, as simulations check them: some say what its neighbors
+//! never do. Inputs are free otherwise, so a mutant counts even where only inputs show it that no neighbor gives.
 
 use super::MutationError;
 use super::campaign::Subject;
@@ -173,8 +173,10 @@ fn is_answer(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::schemata::Schemata;
     use super::*;
     use pointcore_tb::verilated::{Direction, Port, StreamDeclaration, VerilogSource};
+    use rtl::{Module, elaborate};
 
     const COUNTER: &str = "module counter(input clk, input rst, output reg [3:0] count);\n\
         wire never = count == 4'd12;\n\
@@ -242,25 +244,48 @@ mod tests {
         assert_eq!((unused, stuck(1), stuck(0)), (Proof::Equivalent, Some(Proof::Different), Some(Proof::Different)));
     }
 
+    /// A register after each of two comparisons of a number, of which one never holds where that is asserted.
+    fn comparisons(asserts: bool) -> Subject {
+        let mut m = Module::new("unit", "Sees numbers.");
+        let x = m.input("x", 2);
+        let [never, zero] = [("never", 3), ("zero", 0)].map(|(name, value)| m.wire(name, x.eq_lit(value)));
+        for (name, seen) in [("never_seen", never), ("zero_seen", zero)] {
+            let register = m.reg_reset(name, 1, 0);
+            m.next(register, seen);
+            m.output(&format!("{name}_before"), register);
+        }
+        if asserts {
+            m.assert("in_range", !never);
+        }
+        let design = elaborate(&m).unwrap_or_else(|error| panic!("{error}"));
+        subject(&VerilogSource::from(&design).verilog, "", None, "unit")
+    }
+
     #[test]
     fn what_an_assertion_rules_out_does_not_count() {
-        let asserted = "`ifdef RTL_ASSERT\n    always @(posedge clk) if (!rst) begin\n`ifdef FORMAL\n        \
-            in_range: assert (~x_valid | (x != 2'd3));\n`else\n        if (x == 2'd3) $stop;\n`endif\n    end\n`endif\n";
-        let unit = |checks: &str| {
-            "module unit(input clk, input rst, input x_valid, input [1:0] x, output reg [1:0] seen);\n\
-             wire never = x_valid && x == 2'd3;\nwire zero = x_valid && x == 2'd0;\n\
-             always @(posedge clk) seen <= rst ? 2'd0 : {never, zero};\n"
-                .to_owned()
-                + checks
-                + "endmodule\n"
-        };
-        let [open, ruled] = ["", asserted].map(|checks| subject(&unit(checks), "", None, "unit"));
+        let [open, ruled] = [false, true].map(comparisons);
         let stuck = |subject, wire: &str| {
             proof(subject, &format!("mutate -list 1 -mode const0 -wire {wire} -o chosen\nscript chosen\n"))
         };
         let Some(anything) = stuck(&open, "never") else { return };
         assert_eq!((anything, stuck(&ruled, "never")), (Proof::Different, Some(Proof::Equivalent)));
         assert_eq!(stuck(&ruled, "zero"), Some(Proof::Different));
+    }
+
+    #[test]
+    fn a_mutant_is_where_it_was_listed() {
+        let Ok(yosys) = Tool::yosys() else {
+            pointcore_tb::skipped::skipped("no yosys that is new enough: `make setup-fpga` installs it");
+            return;
+        };
+        let subject = comparisons(true);
+        let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
+        let schemata = Schemata::new(&yosys, folder.path(), &subject, 8, 1, 1);
+        let schemata = schemata.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(schemata.mutations.len(), 8);
+        for mutation in &schemata.mutations {
+            assert_ne!(proof(&subject, mutation), Some(Proof::Open), "{mutation}");
+        }
     }
 
     #[test]
