@@ -87,8 +87,8 @@ fn try_all(arguments: &Arguments, mut keep: impl FnMut(Score) -> Result<(), Fail
         jobs: arguments.jobs.unwrap_or(processors),
         proof_seconds: arguments.proof_seconds,
     })?;
-    let (packages, mut units): (Vec<_>, Vec<_>) =
-        arguments.subjects.iter().cloned().partition(|subject| Path::new(subject).is_dir());
+    let is_folder = |subject: &String| Path::new(subject).is_dir() || subject.contains(std::path::is_separator);
+    let (packages, mut units): (Vec<_>, Vec<_>) = arguments.subjects.iter().cloned().partition(is_folder);
     for package in packages {
         for test in SelfTest::all(Path::new(&package)).map_err(MutationError::from)? {
             keep(watched(|progress| test.run(&campaign, progress))?)?;

@@ -75,8 +75,10 @@ pub enum Event {
 /// A design, and the tests that build it.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// The modules that are mutated.
+    /// The modules that are mutated, and those in them that have tests of their own.
     pub verilog: String,
+    /// Names of the modules that are mutated.
+    pub modules: Vec<String>,
     /// Other modules of the design.
     pub others: String,
     /// The one of them that the top joins with the buses, and that is not mutated.

@@ -7,6 +7,7 @@
 
 use super::MutationError;
 use super::campaign::Subject;
+use super::modules::Modules;
 use super::process::{self, Verdict};
 use super::schemata::NETLIST;
 use crate::note;
@@ -45,14 +46,19 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Compares a design with its mutant: first the module that is mutated alone, which is small, then ever more of what
-/// surrounds it, which may hide the difference or keep it from coming about.
+/// Compares a design with its mutant: first the module that is mutated alone, whatever the modules in it do, which is small;
+/// then with them and ever more of what surrounds it, which may hide the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let module = mutation.split(' ').skip_while(|word| *word != "-module").nth(1).unwrap_or(&subject.top);
     let is_large = subject.core.is_none() && subject.verilog.len() > LARGEST_BYTES;
+    let modules = Modules::of(&subject.verilog);
+    let inside: Vec<&str> = subject.core.as_deref().into_iter().chain(modules.inside(plain(module))).collect();
+    let whole: Vec<&str> = subject.core.as_deref().into_iter().collect();
+    let alone = (!inside.is_empty()).then(|| (module.to_owned(), &inside));
+    let around = surroundings(&modules, subject, module).into_iter().map(|module| (module, &whole));
     let mut proof = Proof::Open;
-    for module in surroundings(subject, module).into_iter().filter(|module| !is_large || *module != subject.top) {
-        proof = compare(yosys, subject, &module, mutation, seconds)?;
+    for (module, open) in alone.into_iter().chain(around.filter(|(module, _)| !is_large || *module != subject.top)) {
+        proof = compare(yosys, subject, (&module, open), mutation, seconds)?;
         if proof == Proof::Equivalent {
             break;
         }
@@ -61,15 +67,10 @@ pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> R
 }
 
 /// A module and those around it, up to the top; the top next where there are several around one.
-fn surroundings(subject: &Subject, module: &str) -> Vec<String> {
+fn surroundings(modules: &Modules<'_>, subject: &Subject, module: &str) -> Vec<String> {
     let mut chain = vec![module.to_owned()];
     while let Some(inner) = chain.last().filter(|inner| **inner != subject.top) {
-        // Of a module with parameters, yosys' name ends with its own.
-        let name = inner.rsplit('\\').next().unwrap_or(inner);
-        let places = |text: &str| text.lines().any(|line| line.split_whitespace().next() == Some(name));
-        let modules = subject.verilog.split("\nmodule ").skip(1);
-        let around: Vec<&str> =
-            modules.filter(|text| places(text)).filter_map(|text| text.split([' ', '(']).next()).collect();
+        let around = modules.around(plain(inner));
         let next = match around[..] {
             [one] if !chain.iter().any(|inner| inner == one) => one,
             _ => &subject.top,
@@ -79,25 +80,31 @@ fn surroundings(subject: &Subject, module: &str) -> Vec<String> {
     chain
 }
 
-/// Compares a module of a design with its mutant.
+/// What the text calls a module: of one with parameters, yosys' name ends with it.
+fn plain(module: &str) -> &str {
+    module.rsplit('\\').next().unwrap_or(module)
+}
+
+/// Compares a module of a design with its mutant, whatever the `open` ones in it do.
 fn compare(
     yosys: &Tool,
     subject: &Subject,
-    module: &str,
+    (module, open): (&str, &[&str]),
     mutation: &str,
     seconds: u32,
 ) -> Result<Proof, MutationError> {
     let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
     let folder = scratch.path();
     let top = &subject.top;
-    let (read, turned) = match &subject.core {
-        // Its inputs are outputs of the design, and its outputs inputs: whatever the core may do.
-        Some(core) => (
-            format!("read_verilog -overwrite library.v\nblackbox {core}\nhierarchy -top {module}\nproc\n"),
-            format!("expose -evert */t:{core}\n"),
-        ),
-        None => (format!("hierarchy -top {module}\n"), String::new()),
+    let library = match subject.core {
+        Some(_) => format!("read_verilog -overwrite library.v\nhierarchy -top {top}\nproc\n"),
+        None => String::new(),
     };
+    // Its inputs are outputs of the design, and its outputs inputs: whatever an open module may do.
+    let each = |text: fn(&&str) -> String| open.iter().map(text).collect::<String>();
+    let blackened = each(|name| format!("blackbox {name} $paramod*\\\\{name}\n"));
+    let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
+    let read = format!("{library}{blackened}hierarchy -top {module}\n");
     let flat = |name: &str| {
         format!(
             "{read}memory\nflatten\n{turned}opt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
@@ -110,7 +117,7 @@ fn compare(
     };
     let [assuming, plain] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
     let (comparison, miter) = match &subject.comparison {
-        Some(comparison) if module == top => (
+        Some(comparison) if module == top && open.is_empty() => (
             comparison.as_str(),
             format!(
                 "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
@@ -198,6 +205,7 @@ mod tests {
             others: others.to_owned(),
             core: core.map(str::to_owned),
             top: top.to_owned(),
+            modules: Modules::of(verilog).names().map(str::to_owned).collect(),
             comparison: None,
             tests: Vec::new(),
             substitute: "unused".into(),
@@ -224,9 +232,10 @@ mod tests {
         let verilog = "// A unit.\nmodule inner(input a);\nendmodule\nmodule outer (input a);\n  inner #(.W(2)) x(.a(a));\nendmodule\n\
             module top(input a);\n  outer y(.a(a));\n  shared z(.a(a));\nendmodule\nmodule other(input a);\n  shared z(.a(a));\nendmodule\n";
         let subject = subject(verilog, "", None, "top");
-        assert_eq!(surroundings(&subject, "$paramod$12\\inner"), ["$paramod$12\\inner", "outer", "top"]);
-        assert_eq!(surroundings(&subject, "shared"), ["shared", "top"]);
-        assert_eq!(surroundings(&subject, "top"), ["top"]);
+        let modules = Modules::of(&subject.verilog);
+        assert_eq!(surroundings(&modules, &subject, "$paramod$12\\inner"), ["$paramod$12\\inner", "outer", "top"]);
+        assert_eq!(surroundings(&modules, &subject, "shared"), ["shared", "top"]);
+        assert_eq!(surroundings(&modules, &subject, "top"), ["top"]);
     }
 
     #[test]
@@ -242,6 +251,27 @@ mod tests {
         };
         let Some(unused) = stuck(2) else { return };
         assert_eq!((unused, stuck(1), stuck(0)), (Proof::Equivalent, Some(Proof::Different), Some(Proof::Different)));
+    }
+
+    #[test]
+    fn a_module_is_compared_alone_whatever_those_in_it_do() {
+        let inner = "module inner #(\n    parameter W = 2, parameter V = 2\n) (input clk, input [W-1:0] a, output y);\nassign y = a[0];\nendmodule\n";
+        let top = "module top(input clk, input [2:0] x, output z);\nreg [2:0] kept;\nwire y;\n\
+            wire never = kept[0] && kept[2] && !kept[0];\nalways @(posedge clk) kept <= x;\n\
+            inner #(.W(3), .V(3)) inner(\n.clk(clk), .a(kept), .y(y));\nassign z = y ^ never;\nendmodule\n";
+        let subject = subject(&format!("{inner}{top}"), "", None, "top");
+        let Ok(yosys) = Tool::yosys() else {
+            pointcore_tb::skipped::skipped("no yosys that is new enough: `make setup-fpga` installs it");
+            return;
+        };
+        let stuck = |wire: &str, open: &[&str]| {
+            let mutation = format!("mutate -list 1 -mode const0 -wire {wire} -o chosen\nscript chosen\n");
+            compare(&yosys, &subject, ("top", open), &mutation, 10).unwrap_or_else(|error| panic!("{error}"))
+        };
+        // Open, the inner module could look at all of what it is given.
+        assert_eq!((stuck("never", &["inner"]), stuck("never", &[])), (Proof::Equivalent, Proof::Equivalent));
+        let unused = "kept -wirebit 1";
+        assert_eq!((stuck(unused, &["inner"]), stuck(unused, &[])), (Proof::Different, Proof::Equivalent));
     }
 
     /// A register after each of two comparisons of a number, of which one never holds where that is asserted.

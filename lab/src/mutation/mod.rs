@@ -11,6 +11,7 @@
 mod campaign;
 mod equivalence;
 mod error;
+mod modules;
 mod process;
 mod record;
 mod schemata;

@@ -2,6 +2,7 @@
 
 use super::MutationError;
 use super::campaign::{Campaign, Event, Score, Subject};
+use super::modules::Modules;
 use super::process::{self, Verdict, output};
 use super::record::SELF_TEST;
 use pointcore::configuration::{ConfigurationError, read_text, wrong};
@@ -16,6 +17,8 @@ const ARGUMENTS: [&str; 8] =
     ["--binary", "--x-initial", "unique", "-O3", "-Wno-lint", "-Wno-style", "-Wno-fatal", "-j"];
 /// The same for what is started.
 const RUN_ARGUMENT: &str = "+verilator+rand+reset+2";
+/// What the names of a package's files begin with.
+const CORES: [&str; 3] = ["splat", "search", "points"];
 /// The ends of the names of a package's files: a module, its test, and what the test reads.
 const PARTS: [(&str, &str); 2] = [("_top", "_test"), ("_axi", "_axi_test")];
 
@@ -35,8 +38,9 @@ impl<'a> SelfTest<'a> {
     /// There is no such package.
     pub fn all(folder: &'a Path) -> Result<Vec<Self>, ConfigurationError> {
         let package = folder.file_name().unwrap_or_default().to_string_lossy();
-        let core = ["splat", "search"].into_iter().find(|core| folder.join(format!("{core}_top.v")).exists());
-        let core = core.ok_or_else(|| wrong(folder, "no package: expected a splat_top.v or search_top.v in it"))?;
+        let core = CORES.into_iter().find(|core| folder.join(format!("{core}_top.v")).exists());
+        let core = core
+            .ok_or_else(|| wrong(folder, "no package: expected a splat_top.v, search_top.v or points_top.v in it"))?;
         let one = |(module, test): (&str, &str)| Self {
             folder,
             name: format!("{SELF_TEST}{package}{}", module.trim_start_matches("_top")),
@@ -69,7 +73,8 @@ impl<'a> SelfTest<'a> {
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
         let (top, tests) = (module.clone(), vec![test.clone()]);
-        let subject = Subject { verilog, others, core, top, comparison: None, tests, substitute: mutated };
+        let modules = Modules::of(&verilog).names().map(str::to_owned).collect();
+        let subject = Subject { verilog, modules, others, core, top, comparison: None, tests, substitute: mutated };
         let run = |_: &[String], number: u32, limit: Duration| {
             let program = work.join("obj_dir").join(format!("V{test}"));
             if !program.exists() {

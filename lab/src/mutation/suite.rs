@@ -2,6 +2,7 @@
 
 use super::MutationError;
 use super::campaign::{Campaign, Event, Score, Subject};
+use super::modules::Modules;
 use super::process::{self, Verdict, output};
 use pointcore_tb::cache::file;
 use pointcore_tb::verilated::substitute;
@@ -12,7 +13,7 @@ use std::process::Command;
 use std::time::Duration;
 
 /// What a unit's name begins with.
-const ROOMS: [&str; 6] = ["stream_", "splat_", "search_", "process_", "points_", "bus_"];
+const ROOMS: [&str; 8] = ["memory", "float", "stream_", "splat_", "search_", "process_", "points_", "bus_"];
 /// A unit's tests take seconds; one that takes this long without a mutant is stuck.
 const LIMIT: Duration = Duration::from_secs(600);
 
@@ -100,9 +101,12 @@ impl Suite {
                 fs::read_to_string(&path).map_err(file("read", &path))
             };
             let verilog = read(substitute::ORIGINAL)?;
+            let elsewhere = |module: &str| home(&self.units(), module).is_some_and(|home| home != unit);
+            let modules = Modules::of(&verilog).within(&top, elsewhere);
+            let modules = modules.into_iter().map(str::to_owned).collect();
             let comparison = Some(read(substitute::SIDE_BY_SIDE)?);
             let (tests, substitute) = (tests.into_iter().collect(), folder.join(digest + ".v"));
-            Ok(Subject { verilog, others: String::new(), core: None, top, comparison, tests, substitute })
+            Ok(Subject { verilog, modules, others: String::new(), core: None, top, comparison, tests, substitute })
         };
         builders.into_iter().map(subject).collect()
     }
@@ -119,5 +123,24 @@ impl Suite {
         command.args(tests).args(arguments).env(substitute::VARIABLE, substitutes);
         command.env("POINTCORE_PLUSARG", format!("+mutant={mutant}"));
         process::run(command, limit, |line| line.starts_with("test ") && line.ends_with("FAILED"))
+    }
+}
+
+/// The unit that a module is of: its name begins with the unit's.
+fn home<'a>(units: &BTreeSet<&'a str>, module: &str) -> Option<&'a str> {
+    let is_of = |unit: &&str| module.strip_prefix(*unit).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
+    units.iter().copied().filter(is_of).max_by_key(|unit| unit.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_is_at_home_in_one_unit() {
+        let units = BTreeSet::from(["splat_heap", "splat_heap_stage", "float"]);
+        let of = |module| home(&units, module);
+        assert_eq!([of("splat_heap"), of("splat_heap_stage_l2")], [Some("splat_heap"), Some("splat_heap_stage")]);
+        assert_eq!([of("float_add_s6"), of("floats"), of("splat")], [Some("float"), None, None]);
     }
 }
