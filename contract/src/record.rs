@@ -81,6 +81,8 @@ pub struct Field {
     pub name: String,
     /// Its bits.
     pub width: u32,
+    /// What every value is below, where not all of its bits' are.
+    pub below: Option<u64>,
     /// What it holds.
     pub doc: &'static str,
 }
@@ -89,7 +91,7 @@ impl Field {
     /// A field without a word on what it holds.
     #[must_use]
     pub fn new(name: impl Into<String>, width: u32) -> Self {
-        Self { name: name.into(), width, doc: "" }
+        Self { name: name.into(), width, below: None, doc: "" }
     }
 }
 

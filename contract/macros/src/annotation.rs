@@ -38,6 +38,7 @@ impl Parse for UnitArguments {
 pub struct Annotations {
     pub documentation: Vec<Attribute>,
     pub bits: Option<Expr>,
+    pub below: Option<Expr>,
     pub count: Option<Expr>,
     pub name: Option<Expr>,
     pub when: Option<Expr>,
@@ -58,6 +59,7 @@ impl Annotations {
             match name.to_string().as_str() {
                 "doc" => found.documentation.push(attribute.clone()),
                 "bits" => found.bits = Some(attribute.parse_args()?),
+                "below" => found.below = Some(attribute.parse_args()?),
                 "count" => found.count = Some(attribute.parse_args()?),
                 "name" => found.name = Some(attribute.parse_args()?),
                 "when" => found.when = Some(attribute.parse_args()?),
@@ -67,7 +69,7 @@ impl Annotations {
                 _ => {
                     return Err(syn::Error::new(
                         name.span(),
-                        "expected doc, bits, count, name, when, port, flag or with",
+                        "expected doc, bits, below, count, name, when, port, flag or with",
                     ));
                 }
             }

@@ -18,6 +18,7 @@ use syn::{ItemStruct, parse_macro_input};
 /// field are expressions of `config`, and of `i` (and `j`), the place in an array:
 ///
 /// * `#[bits(…)]` its width; a `bool` has one bit;
+/// * `#[below(…)]` what every value is below, where not all of its bits' are;
 /// * `#[count(…)]` how many elements of an array there are, all by default;
 /// * `#[name(…)]` its name, where that is not the field's own followed by `i`;
 /// * `#[when(…)]` whether it is there at all;

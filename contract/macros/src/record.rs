@@ -87,8 +87,12 @@ impl<'a> Member<'a> {
                 quote!(::std::format!("{}{}", #own, #suffix))
             }
         };
+        let below = match &self.annotations.below {
+            Some(below) => quote!(::std::option::Option::Some(::std::convert::Into::into(#below))),
+            None => quote!(::std::option::Option::None),
+        };
         let doc = self.annotations.text();
-        Ok(quote!(fields.push(::pointcore_contract::Field { name: #name, width: #bits, doc: #doc });))
+        Ok(quote!(fields.push(::pointcore_contract::Field { name: #name, width: #bits, below: #below, doc: #doc });))
     }
 
     fn describe(&self) -> Result<TokenStream> {

@@ -192,9 +192,10 @@ impl<'a> Port<'a> {
             }
             (Some(_), bits) => {
                 let bits = bits.as_ref().map_or(quote!(1), |bits| quote!(#bits));
-                quote!(
-                    ::std::vec![::pointcore_contract::Field { name: ::std::string::String::new(), width: #bits, doc: #doc }]
-                )
+                quote!(::std::vec![::pointcore_contract::Field {
+                    doc: #doc,
+                    ..::pointcore_contract::Field::new("", #bits)
+                }])
             }
             (None, _) => quote!(::pointcore_contract::fields::<#record>(#config)),
         };

@@ -12,6 +12,7 @@ use crate::record;
 pub struct Thread {
     /// Thread.
     #[bits(config.thread_bits())]
+    #[below(config.threads)]
     pub thread: u8,
 }
 

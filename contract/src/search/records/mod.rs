@@ -61,6 +61,7 @@ pub struct QueryResult {
 pub struct Thread {
     /// Thread.
     #[bits(config.thread_bits())]
+    #[below(config.threads)]
     pub thread: u8,
 }
 

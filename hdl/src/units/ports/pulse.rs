@@ -40,7 +40,9 @@ impl<R: Record> PulseInPorts<R> for PulseIn<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Pulse<Wired<R>> {
         let (valid, values) = m.pulse_in(self.name, self.flag, &layout::<R>(config));
         documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
-        Pulse { valid, record: Bundle::from_values(config, values) }
+        let record: Wired<R> = Bundle::from_values(config, values);
+        record.assert_range(m, config, self.name, valid);
+        Pulse { valid, record }
     }
 
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, pulse: Pulse<Wired<R>>) {

@@ -94,7 +94,9 @@ impl<R: Record> StreamInPorts<R> for In<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
         let stream = m.stream_in(self.name, &layout::<R>(config));
         documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
-        Flow::typed(stream, config)
+        let flow: Flow<Wired<R>> = Flow::typed(stream, config);
+        flow.record.assert_range(m, config, self.name, flow.valid);
+        flow
     }
 
     fn queue(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
