@@ -170,7 +170,7 @@ module splat_test;
 
     initial begin
         $readmemh("splat_test.hex", words);
-        repeat (2) @(negedge clk);
+        repeat (1) @(negedge clk);
         rst = 1'b0;
         for (cycle = 0; cycle < 125618 && differences == 0; cycle = cycle + 1) begin
             advance;

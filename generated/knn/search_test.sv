@@ -119,7 +119,7 @@ module search_test;
 
     initial begin
         $readmemh("search_test.hex", words);
-        repeat (2) @(negedge clk);
+        repeat (1) @(negedge clk);
         rst = 1'b0;
         for (cycle = 0; cycle < 49412 && differences == 0; cycle = cycle + 1) begin
             advance;

@@ -148,7 +148,7 @@ module points_test;
 
     initial begin
         $readmemh("points_test.hex", words);
-        repeat (2) @(negedge clk);
+        repeat (1) @(negedge clk);
         rst = 1'b0;
         for (cycle = 0; cycle < 18433 && differences == 0; cycle = cycle + 1) begin
             advance;
