@@ -57,7 +57,7 @@ impl Shape {
                     _ => *shown = 0,
                 }
             }
-            if write != 0 {
+            if rst == 0 && write != 0 {
                 words[address as usize] = data;
             }
         }

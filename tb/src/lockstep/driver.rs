@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::comparison::Comparison;
 use super::failure::{Cause, LockstepError, LockstepFailure, Waveform};
-use super::interrupted::interrupted;
+use super::interrupted::{interrupted, reset_inputs};
 use super::protocol::Protocol;
 use super::replay::Replay;
 use super::seed::SEED_VARIABLE;
@@ -126,7 +126,7 @@ impl<G: Golden> Lockstep<G> {
     pub fn run<S: Stimulus + Clone>(mut self, mut stimulus: S) -> Result<Run<S>, LockstepError> {
         let initial = stimulus.clone();
         let mut hardware = interrupted(&self.library, self.seed, initial.clone())?;
-        let mut state = State::new(&self.library, &self.streams);
+        let mut state = State::new(&self.library, &self.streams, self.seed);
         for _ in 0..RESET_CYCLES {
             hardware.step(&state.inputs, &mut state.outputs)?;
             self.golden.step(&state.inputs, &mut state.expected);
@@ -214,13 +214,13 @@ struct State {
 }
 
 impl State {
-    fn new(library: &Library, streams: &Streams) -> Self {
+    fn new(library: &Library, streams: &Streams, seed: u64) -> Self {
         let reset = library.inputs().iter().position(|port| port.name == RESET);
         let outputs = vec![0; library.outputs().len()];
         let protocol = Protocol::new(streams, reset);
         let is_event = |&output: &usize| library.outputs()[output].width == 1 && !streams.have_output(output);
         let events = (0..outputs.len()).filter(is_event).map(|output| (output, 0)).collect();
-        Self { inputs: library.reset_inputs(), expected: outputs.clone(), outputs, protocol, events }
+        Self { inputs: reset_inputs(library, seed), expected: outputs.clone(), outputs, protocol, events }
     }
 
     fn count_events(&mut self) {

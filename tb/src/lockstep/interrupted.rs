@@ -3,10 +3,17 @@
 use std::sync::Arc;
 
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
-use crate::verilated::{Library, VerilatedError, VerilatedModel};
+use crate::verilated::{Library, Port, RESET, VerilatedError, VerilatedModel};
 
 /// Cycles of the run that the reset ends, at most.
 const LONGEST: u64 = 300;
+
+/// Inputs of a reset cycle: `rst` high, everything else as good as any, for the reset not to care.
+pub fn reset_inputs(library: &Library, seed: u64) -> Vec<u64> {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let input = |port: &Port| if port.name == RESET { 1 } else { random.u64(..) >> (u64::BITS - port.width) };
+    library.inputs().iter().map(input).collect()
+}
 
 /// Hardware in the middle of a run of `stimulus`, the same for the same `seed`; nothing of this run is compared.
 pub fn interrupted(

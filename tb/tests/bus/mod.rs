@@ -91,7 +91,12 @@ impl Bench {
                 Err(error) => panic!("{error}"),
             }
         }
-        model.reset(RESET_CYCLES).unwrap();
+        inputs
+            .iter_mut()
+            .zip(library.inputs())
+            .filter(|(_, port)| port.name == RESET)
+            .for_each(|(input, _)| *input = 1);
+        (0..RESET_CYCLES).for_each(|_| model.step(&inputs, &mut outputs).unwrap());
         Self { inputs: vec![0; inputs.len()], outputs, model, cycle: 0 }
     }
 
