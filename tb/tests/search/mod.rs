@@ -75,15 +75,17 @@ pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
     if random.u8(..4) == 0 { coordinate(random) } else { 3.0 - 6.0 * random.f32() }
 }
 
-/// A squared distance of the format: most are on a coarse grid, so that they tie, or all but do; the others have all the
-/// bits of a mantissa.
+/// A squared distance of the format: most are on a coarse grid, so that they tie, or all but do, or differ in a single bit;
+/// the others have all the bits of a mantissa.
 pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
     let grid = word(config, f32::from(random.u8(..=12)) / 4.0);
     let near = grid ^ (random.u64(..) & ((1 << random.u32(..8)) - 1));
-    match random.u8(..4) {
+    let toggled = number(config, grid ^ 1 << random.u32(..config.geometry.width() - 1));
+    match random.u8(..5) {
         0 => number(config, word(config, 3.0 * random.f32())),
         // Zero has no neighbor that is normal.
         1 if grid != 0 => number(config, near),
+        2 if toggled.is_normal() => toggled,
         _ => number(config, grid),
     }
 }
