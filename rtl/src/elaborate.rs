@@ -9,9 +9,10 @@ use super::interface::StreamDeclaration;
 use super::lower::{Library, single_file};
 use super::memory_module::MemoryModule;
 use super::module::Module;
+use serde::{Deserialize, Serialize};
 
 /// Which way a port goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Direction {
     /// Into the module.
     Input,
@@ -19,8 +20,8 @@ pub enum Direction {
     Output,
 }
 
-/// A port of the top module.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A port of a module.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Port {
     /// Its name.
     pub name: String,
@@ -28,6 +29,24 @@ pub struct Port {
     pub width: u32,
     /// Which way it goes.
     pub direction: Direction,
+}
+
+impl Port {
+    fn of((name, width, kind): &(String, u32, PortKind)) -> Self {
+        let direction = if *kind == PortKind::Input { Direction::Input } else { Direction::Output };
+        Self { name: name.clone(), width: *width, direction }
+    }
+}
+
+/// What a module's surroundings see of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ModuleInterface {
+    /// Its name in the Verilog.
+    pub name: String,
+    /// Its ports.
+    pub ports: Vec<Port>,
+    /// Which of them form streams and pulses.
+    pub streams: Vec<StreamDeclaration>,
 }
 
 /// One module of a design.
@@ -56,6 +75,7 @@ pub struct Design {
     ports: Vec<Port>,
     streams: Vec<StreamDeclaration>,
     modules: Vec<ModuleSummary>,
+    interfaces: Vec<ModuleInterface>,
     memory_modules: Vec<String>,
     combinational_paths: Vec<(String, String)>,
 }
@@ -96,6 +116,12 @@ impl Design {
     #[must_use]
     pub fn modules(&self) -> &[ModuleSummary] {
         &self.modules
+    }
+
+    /// What each of its modules shows to the others, in the same order.
+    #[must_use]
+    pub fn interfaces(&self) -> &[ModuleInterface] {
+        &self.interfaces
     }
 
     /// Names of the modules that its larger memories are instances of, with their sizes as parameters.
@@ -147,18 +173,20 @@ fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError
         memories: module.memories.clone(),
         instances,
     });
-    let ports = library.ports(index).iter().map(|(name, width, kind)| {
-        let direction = if *kind == PortKind::Input { Direction::Input } else { Direction::Output };
-        Port { name: name.clone(), width: *width, direction }
-    });
+    let ports = |index| library.ports(index).iter().map(Port::of).collect::<Vec<_>>();
+    let interface = |(place, name): (usize, &String)| {
+        let streams = library.modules[place].streams.clone();
+        ModuleInterface { name: name.clone(), ports: ports(place), streams }
+    };
     let files = library.files(&names, beside);
     Ok(Design {
         top: names[index].clone(),
         verilog: single_file(&files),
         files,
-        ports: ports.collect(),
+        ports: ports(index),
         streams: top.streams.clone(),
         modules: modules.collect(),
+        interfaces: names.iter().enumerate().map(interface).collect(),
         memory_modules: library.memory_modules(0..index + 1).into_iter().map(MemoryModule::name).collect(),
         combinational_paths: paths(top, &reach),
     })

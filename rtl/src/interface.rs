@@ -5,9 +5,10 @@ use super::error::FaultKind;
 use super::expression::Expr;
 use super::instance::Instance;
 use super::module::{Module, Signal, Source};
+use serde::{Deserialize, Serialize};
 
 /// Ports that belong together: `<name>_<flag>`, for a stream `<name>_ready`, and `<name>_<field>`.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct StreamDeclaration {
     /// What their names begin with.
     pub name: String,

@@ -48,7 +48,7 @@ mod writer;
 
 pub use area::{Area, Storage};
 pub use block::{BlockError, block_ports};
-pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate, elaborate_beside};
+pub use elaborate::{Design, Direction, ModuleInterface, ModuleSummary, Port, elaborate, elaborate_beside};
 pub use error::{ElaborationError, Fault, FaultKind};
 pub use expression::{Expr, bit, cat, lit};
 pub use handle::{Reg, Wire};

@@ -10,6 +10,7 @@ use super::canonical::Graph;
 use super::emit::{self, Body, Implicit, PortKind};
 use super::foreign::ForeignBlock;
 use super::frame::{Frame, FramePort};
+use super::interface::StreamDeclaration;
 use super::memory_module::MemoryModule;
 use super::module::Module;
 use super::text::filled;
@@ -29,6 +30,8 @@ pub(super) struct Lowered {
     /// Indices of the modules of its children.
     pub children: Vec<usize>,
     summary: String,
+    /// Those that its ports form.
+    pub streams: Vec<StreamDeclaration>,
     /// What is said of ports, by their names: no part of what makes two modules one.
     documents: BTreeMap<String, String>,
     foreign: Option<Rc<ForeignBlock>>,
@@ -99,6 +102,7 @@ impl Library {
                 memories: Storage::of(&graph),
                 children,
                 summary: module.summary.clone(),
+                streams: module.streams.clone(),
                 documents: module.documents.clone(),
                 foreign: module.foreign.clone(),
                 body,

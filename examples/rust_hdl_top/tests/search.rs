@@ -25,7 +25,13 @@ const CYCLES_MAX: usize = 100_000;
 fn library(block: &SearchInRom) -> Arc<Library> {
     let verilog = generate_verilog(block);
     let verilog = format!("/* verilator lint_off WIDTH */\n/* verilator lint_off UNUSED */\n{verilog}");
-    let source = VerilogSource { verilog, top: "top".to_owned(), ports: block_ports(block), streams: vec![] };
+    let source = VerilogSource {
+        verilog,
+        top: "top".to_owned(),
+        ports: block_ports(block),
+        streams: vec![],
+        interfaces: vec![],
+    };
     let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
     builder.build(&source, BuildOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }

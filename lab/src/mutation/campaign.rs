@@ -6,6 +6,7 @@ use super::process::Verdict;
 use super::schemata::Schemata;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::{file, key};
+use pointcore_tb::verilated::ModuleInterface;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -85,8 +86,8 @@ pub struct Subject {
     pub core: Option<String>,
     /// Its top module.
     pub top: String,
-    /// The module that compares the top with a mutant of it, where it is known which outputs count when.
-    pub comparison: Option<String>,
+    /// What modules show to each other, of those of which it is known: which outputs count when.
+    pub interfaces: Vec<ModuleInterface>,
     /// The tests.
     pub tests: Vec<String>,
     /// Where the tests find what is built in its place.

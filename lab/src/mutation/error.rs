@@ -2,6 +2,7 @@
 
 use crate::synthesis::SynthesisError;
 use pointcore::configuration::ConfigurationError;
+use pointcore::generated::GenerateError;
 use pointcore_tb::cache::FileError;
 
 /// Why mutants could not be tried.
@@ -16,6 +17,9 @@ pub enum MutationError {
     /// A record or a package that is none of ours.
     #[error(transparent)]
     Configuration(#[from] ConfigurationError),
+    /// A package's hardware cannot be generated anew.
+    #[error(transparent)]
+    Generate(#[from] GenerateError),
     /// A program that could not be started, or failed where it must not.
     #[error("{program} failed:\n{output}")]
     Program {

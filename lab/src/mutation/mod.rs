@@ -16,6 +16,7 @@ mod process;
 mod record;
 mod schemata;
 mod self_test;
+mod side_by_side;
 mod suite;
 
 pub use campaign::{Campaign, Event, Score, Settings};

@@ -18,6 +18,36 @@ impl Module<'_> {
     }
 }
 
+/// A module placed in another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instance<'a> {
+    /// The module's name.
+    pub of: &'a str,
+    /// Its own.
+    pub name: &'a str,
+    /// Its parameters, as `.NAME(value)`, separated by commas.
+    pub parameters: &'a str,
+}
+
+impl<'a> Instance<'a> {
+    /// What a line begins: `of name (` or `of #(parameters) name (`.
+    fn of(line: &'a str) -> Option<Self> {
+        let (of, rest) = line.trim_start().split_once(' ')?;
+        let (parameters, rest) = match rest.strip_prefix("#(") {
+            Some(rest) => rest.split_once(") ")?,
+            None => ("", rest),
+        };
+        let name = rest.split([' ', '(']).next().filter(|name| !name.is_empty())?;
+        Some(Self { of, name, parameters })
+    }
+
+    /// The value of a parameter.
+    pub fn parameter(&self, name: &str) -> Option<u32> {
+        let (_, rest) = self.parameters.split_once(&format!(".{name}("))?;
+        rest.split(')').next()?.parse().ok()
+    }
+}
+
 impl<'a> Modules<'a> {
     /// Those of a text.
     pub fn of(verilog: &'a str) -> Self {
@@ -45,10 +75,16 @@ impl<'a> Modules<'a> {
         self.all.iter().filter(|module| module.places(inner)).map(|module| module.name).collect()
     }
 
-    /// Those that `outer` places.
-    pub fn inside(&self, outer: &str) -> Vec<&'a str> {
-        let outer = self.all.iter().find(|module| module.name == outer);
-        self.names().filter(|inner| outer.is_some_and(|outer| outer.places(inner))).collect()
+    /// What `outer` places.
+    pub fn inside(&self, outer: &str) -> Vec<Instance<'a>> {
+        let outer = self.all.iter().filter(|module| module.name == outer);
+        let instances = outer.flat_map(|outer| outer.text.lines().skip(1)).filter_map(Instance::of);
+        instances.filter(|instance| self.names().any(|name| name == instance.of)).collect()
+    }
+
+    /// How much text `modules` are.
+    pub fn bytes(&self, modules: &[&str]) -> usize {
+        self.all.iter().filter(|module| modules.contains(&module.name)).map(|module| module.text.len()).sum()
     }
 
     /// `top` and what stands in it, but for modules that are `elsewhere`, and what stands only in them.
@@ -73,7 +109,7 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "// A unit.\nmodule inner(input a);\nendmodule\nmodule outer #(\n    parameter W = 2\n) (input a);\n  \
-        inner #(.W(2)) x(.a(a));\nendmodule\nmodule top(input a);\n  outer y(.a(a));\n  shared z(.a(a));\nendmodule\n\
+        inner #(.W(2), .V(13)) x(.a(a));\nendmodule\nmodule top(input a);\n  outer y(.a(a));\n  shared z(.a(a));\nendmodule\n\
         module other (input a);\n  shared z(.a(a));\nendmodule\nmodule shared;\n  deep u();\nendmodule\nmodule deep;\nendmodule\n";
 
     #[test]
@@ -82,7 +118,10 @@ mod tests {
         assert_eq!(modules.names().collect::<Vec<_>>(), ["inner", "outer", "top", "other", "shared", "deep"]);
         assert_eq!(modules.around("inner"), ["outer"]);
         assert_eq!(modules.around("shared"), ["top", "other"]);
-        assert_eq!(modules.inside("top"), ["outer", "shared"]);
+        let instance = |of, name, parameters| Instance { of, name, parameters };
+        assert_eq!(modules.inside("top"), [instance("outer", "y", ""), instance("shared", "z", "")]);
+        assert_eq!(modules.inside("outer"), [instance("inner", "x", ".W(2), .V(13)")]);
+        assert_eq!(modules.inside("outer")[0].parameter("V"), Some(13));
         assert_eq!(modules.within("top", |_| false), ["top", "outer", "shared", "inner", "deep"]);
         assert_eq!(modules.within("top", |name| name == "shared"), ["top", "outer", "inner"]);
     }

@@ -5,8 +5,12 @@ use super::campaign::{Campaign, Event, Score, Subject};
 use super::modules::Modules;
 use super::process::{self, Verdict, output};
 use super::record::SELF_TEST;
-use pointcore::configuration::{ConfigurationError, read_text, wrong};
+use pointcore::bus::Bus;
+use pointcore::configuration::{self, ConfigurationError, read_text, wrong};
+use pointcore::generated::GenerateError;
 use pointcore_tb::cache::file;
+use pointcore_tb::verilated::ModuleInterface;
+use rtl::elaborate;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -73,8 +77,9 @@ impl<'a> SelfTest<'a> {
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
         let (top, tests) = (module.clone(), vec![test.clone()]);
+        let interfaces = self.interfaces()?;
         let modules = Modules::of(&verilog).names().map(str::to_owned).collect();
-        let subject = Subject { verilog, modules, others, core, top, comparison: None, tests, substitute: mutated };
+        let subject = Subject { verilog, modules, others, core, top, interfaces, tests, substitute: mutated };
         let run = |_: &[String], number: u32, limit: Duration| {
             let program = work.join("obj_dir").join(format!("V{test}"));
             if !program.exists() {
@@ -86,6 +91,17 @@ impl<'a> SelfTest<'a> {
             Ok::<Verdict, MutationError>(verdict)
         };
         campaign.run(name, &[subject], work, run, progress)
+    }
+
+    /// What the modules show to each other, which their Verilog does not tell.
+    fn interfaces(&self) -> Result<Vec<ModuleInterface>, MutationError> {
+        let path = self.folder.join("config.toml");
+        let configuration = configuration::parse(&path, &read_text(&path)?)?;
+        let design = match self.module.ends_with("_axi") {
+            true => Bus::new(&configuration)?.design,
+            false => elaborate(&*configuration.module()?).map_err(GenerateError::from)?,
+        };
+        Ok(design.interfaces().to_vec())
     }
 }
 

@@ -104,9 +104,10 @@ impl Suite {
             let elsewhere = |module: &str| home(&self.units(), module).is_some_and(|home| home != unit);
             let modules = Modules::of(&verilog).within(&top, elsewhere);
             let modules = modules.into_iter().map(str::to_owned).collect();
-            let comparison = Some(read(substitute::SIDE_BY_SIDE)?);
+            let interfaces = serde_json::from_str(&read(substitute::INTERFACES)?);
+            let interfaces = interfaces.expect("the tests write what they have from the generator");
             let (tests, substitute) = (tests.into_iter().collect(), folder.join(digest + ".v"));
-            Ok(Subject { verilog, modules, others: String::new(), core: None, top, comparison, tests, substitute })
+            Ok(Subject { verilog, modules, others: String::new(), core: None, top, interfaces, tests, substitute })
         };
         builders.into_iter().map(subject).collect()
     }

@@ -4,6 +4,7 @@ mod constants;
 mod header;
 mod markdown;
 
+use crate::configuration::Configuration;
 use crate::generated::GenerateError;
 use constants::Constant;
 use pointcore_contract::bus::packets::{self, NamedRecord};
@@ -88,6 +89,18 @@ pub struct Bus {
 }
 
 impl Bus {
+    /// Generates the top of a configuration.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn new(configuration: &Configuration) -> Result<Self, GenerateError> {
+        match configuration {
+            Configuration::Splat(config) => Self::splat(config),
+            Configuration::Search(config) => Self::search(config),
+            Configuration::Points(config) => Self::points(config),
+        }
+    }
+
     /// Generates `splat_axi`.
     ///
     /// # Errors

@@ -6,14 +6,13 @@
 mod build;
 mod model;
 mod shim;
-pub mod side_by_side;
 pub mod substitute;
 
 use std::path::PathBuf;
 
 pub use build::Builder;
 pub use model::{Library, RESET, VerilatedModel};
-pub use rtl::{Direction, Port, StreamDeclaration};
+pub use rtl::{Direction, ModuleInterface, Port, StreamDeclaration};
 
 use rtl::Design;
 
@@ -31,6 +30,8 @@ pub struct VerilogSource {
     pub ports: Vec<Port>,
     /// Which of the ports form streams and pulses.
     pub streams: Vec<StreamDeclaration>,
+    /// What the modules in it show to each other, as far as that is known.
+    pub interfaces: Vec<ModuleInterface>,
 }
 
 impl From<&Design> for VerilogSource {
@@ -40,6 +41,7 @@ impl From<&Design> for VerilogSource {
             top: design.top().to_owned(),
             ports: design.ports().to_vec(),
             streams: design.streams().to_vec(),
+            interfaces: design.interfaces().to_vec(),
         }
     }
 }

@@ -8,15 +8,13 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::thread;
 
-use super::side_by_side::side_by_side;
-use super::{VerilatedError, VerilogSource};
+use super::{ModuleInterface, VerilatedError, VerilogSource};
 use crate::cache::{file, key};
 
 /// The variable that names the folder of substitutes.
 ///
 /// `<digest>.v` in it is verilated in the place of the source with that digest. A source without one is written to
-/// `<digest>.original`, its comparison with another version of itself to `<digest>.side_by_side`, and a line of [`USES`] says
-/// who builds it.
+/// `<digest>.original`, what its modules show to each other to `<digest>.interfaces`, and a line of [`USES`] says who builds it.
 pub const VARIABLE: &str = "POINTCORE_SUBSTITUTES";
 
 /// File of the folder with a line a build: the source's digest, its top module, and the thread, which a test gives its name.
@@ -25,8 +23,8 @@ pub const USES: &str = "uses";
 /// Ending of a source as it is, beside its digest.
 pub const ORIGINAL: &str = "original";
 
-/// Ending of the module that compares two versions of a source, beside its digest: [`side_by_side`].
-pub const SIDE_BY_SIDE: &str = "side_by_side";
+/// Ending of the interfaces of a source's modules, a list of [`ModuleInterface`] in JSON, beside its digest.
+pub const INTERFACES: &str = "interfaces";
 
 /// What of a source counts: its text and which module is the top.
 #[must_use]
@@ -56,7 +54,11 @@ fn within<'a>(source: &'a VerilogSource, folder: &Path) -> Result<Cow<'a, Verilo
         Err(error) if error.kind() == ErrorKind::NotFound => {}
         Err(error) => return Err(file("read", &path)(error).into()),
     }
-    for (ending, text) in [(ORIGINAL, &source.verilog), (SIDE_BY_SIDE, &side_by_side(source))] {
+    let VerilogSource { top, ports, streams, .. } = source.clone();
+    let inner = source.interfaces.iter().filter(|interface| interface.name != top).cloned();
+    let interfaces: Vec<_> = inner.chain([ModuleInterface { name: top.clone(), ports, streams }]).collect();
+    let interfaces = serde_json::to_string(&interfaces).expect("interfaces have no maps");
+    for (ending, text) in [(ORIGINAL, &source.verilog), (INTERFACES, &interfaces)] {
         let path = folder.join(format!("{digest}.{ending}"));
         fs::write(&path, text).map_err(file("write", &path))?;
     }
@@ -74,8 +76,13 @@ mod tests {
     #[test]
     fn a_source_is_told_of_until_it_has_a_substitute() {
         let folder = tempfile::tempdir().expect("the system has a temporary folder");
-        let source =
-            VerilogSource { verilog: "module a;".into(), top: "a".into(), ports: Vec::new(), streams: Vec::new() };
+        let source = VerilogSource {
+            verilog: "module a;".into(),
+            top: "a".into(),
+            ports: Vec::new(),
+            streams: Vec::new(),
+            interfaces: Vec::new(),
+        };
         let built = |source| within(source, folder.path()).unwrap_or_else(|error| panic!("{error}")).into_owned();
         assert_eq!(built(&source), source);
         let digest = digest("module a;", "a");

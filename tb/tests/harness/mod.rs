@@ -23,7 +23,13 @@ fn source(verilog: &str) -> VerilogSource {
     let ports = ports.chain(outputs.map(|(name, width)| port(name, width, Direction::Output))).collect();
     let streams = [("in", Direction::Input), ("out", Direction::Output)];
     let streams = streams.map(|(name, direction)| StreamDeclaration::stream(name, direction, ["value", "last"]));
-    VerilogSource { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports, streams: streams.to_vec() }
+    VerilogSource {
+        verilog: verilog.to_owned(),
+        top: "fifo".to_owned(),
+        ports,
+        streams: streams.to_vec(),
+        interfaces: vec![],
+    }
 }
 
 fn library(verilog: &str) -> Arc<Library> {

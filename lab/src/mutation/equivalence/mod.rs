@@ -1,0 +1,219 @@
+//! Proofs that a mutant changes nothing that can be seen.
+//!
+//! Design and mutant run side by side on the same inputs, from all registers zero; ABC searches an invariant under which
+//! no output ever differs, or inputs that show a difference. Where a module's streams are known, outputs count when they
+//! count in lockstep, and inputs keep the rules of streams. The design's assertions are assumed, as simulations check
+//! them: some say what its neighbors never do. Inputs are free otherwise, so a mutant counts even where only inputs show
+//! it that no neighbor gives.
+
+use super::MutationError;
+use super::campaign::Subject;
+use super::modules::{Instance, Modules};
+use super::process::{self, Verdict};
+use super::schemata::NETLIST;
+use super::side_by_side::{self, Border};
+use crate::note;
+use crate::synthesis::Tool;
+use pointcore_tb::cache::file;
+use std::collections::BTreeSet;
+use std::fmt;
+use std::fs;
+use std::process::Command;
+use std::time::Duration;
+
+/// The ABC that comes with Debian's yosys.
+const ABC: &str = "yosys-abc";
+
+/// A design with more text than this is a whole core: the prover comes to no end with it.
+const LARGEST_BYTES: usize = 60_000;
+
+/// What became of a proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// No input ever shows a difference.
+    Equivalent,
+    /// Some inputs show a difference.
+    Different,
+    /// Neither was found in the time given.
+    Open,
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Equivalent => "equivalent",
+            Self::Different => "differs",
+            Self::Open => "undecided",
+        })
+    }
+}
+
+/// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
+/// with all that is in it, unless that is large; then what surrounds it, which may hide the difference or keep it from coming
+/// about.
+pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
+    let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
+    let module = argument("-module").unwrap_or(&subject.top);
+    let text = format!("{}\n{}", subject.verilog, subject.others);
+    let prover = Prover { yosys, subject, mutation, seconds, modules: Modules::of(&text) };
+    prover.judge(module, argument("-cell"))
+}
+
+/// What proofs about one mutant share.
+struct Prover<'a> {
+    yosys: &'a Tool,
+    subject: &'a Subject,
+    mutation: &'a str,
+    seconds: u32,
+    modules: Modules<'a>,
+}
+
+/// What the text calls a module: of one with parameters, yosys' name ends with it.
+fn plain(module: &str) -> &str {
+    module.rsplit('\\').next().unwrap_or(module)
+}
+
+impl Prover<'_> {
+    /// Whether nobody sees a difference outside of `module`, or of all that place it. A mutated `cell` may be a module in it.
+    fn judge(&self, module: &str, cell: Option<&str>) -> Result<Proof, MutationError> {
+        let Self { subject, modules, .. } = self;
+        let name = plain(module);
+        let is_core = |name: &str| subject.core.as_deref() == Some(name);
+        let is_mutated = |instance: &Instance<'_>| {
+            let mutated =
+                plain(self.mutation.split(' ').skip_while(|word| *word != "-module").nth(1).unwrap_or_default());
+            cell == Some(instance.name) || modules.within(instance.of, is_core).contains(&mutated)
+        };
+        let inside = modules.inside(name);
+        let mutated: BTreeSet<&str> = inside.iter().filter(|inner| is_mutated(inner)).map(|inner| inner.of).collect();
+        let whole = inside.iter().map(|inner| inner.of).filter(|inner| is_core(inner)).collect();
+        let open: BTreeSet<&str> =
+            inside.iter().map(|inner| inner.of).filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
+        let mut proof = self.compare(module, &open)?;
+        let is_large = modules.bytes(&modules.within(name, is_core)) > LARGEST_BYTES;
+        if proof != Proof::Equivalent && open != whole && !is_large {
+            proof = self.compare(module, &whole)?;
+        }
+        if proof == Proof::Equivalent || name == subject.top {
+            return Ok(proof);
+        }
+        for outer in modules.around(name) {
+            proof = self.judge(outer, None)?;
+            if proof != Proof::Equivalent {
+                break;
+            }
+        }
+        Ok(proof)
+    }
+
+    /// The border of a module out of which some were taken, if all of them are known.
+    fn border(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
+        let mut border = Border::from(self.subject.interfaces.iter().find(|interface| interface.name == module)?);
+        self.take_out(&mut border, "", module, open)?;
+        Some(border)
+    }
+
+    fn take_out(&self, border: &mut Border, path: &str, module: &str, open: &BTreeSet<&str>) -> Option<()> {
+        for instance in self.modules.inside(module) {
+            let place = format!("{path}{}", instance.name);
+            if open.contains(instance.of) {
+                let known = self.subject.interfaces.iter().find(|interface| interface.name == instance.of);
+                let inner = known.map(Border::from).or_else(|| Border::memory(&instance))?;
+                border.take_out(&place, &inner);
+            } else {
+                self.take_out(border, &format!("{place}."), instance.of, open)?;
+            }
+        }
+        Some(())
+    }
+
+    /// Compares a module of the design with its mutant, whatever the `open` ones in it do.
+    fn compare(&self, module: &str, open: &BTreeSet<&str>) -> Result<Proof, MutationError> {
+        let Self { yosys, subject, mutation, seconds, .. } = *self;
+        let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
+        let folder = scratch.path();
+        let top = &subject.top;
+        let library = match subject.core {
+            Some(_) => format!("read_verilog -overwrite library.v\nhierarchy -top {top}\nproc\n"),
+            None => String::new(),
+        };
+        // Its inputs are outputs of the design, and its outputs inputs: whatever an open module may do.
+        let each = |text: fn(&&str) -> String| open.iter().map(text).collect::<String>();
+        let blackened = each(|name| format!("blackbox {name} $paramod*\\\\{name}\n"));
+        let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
+        let read = format!("{library}{blackened}hierarchy -top {module}\n");
+        let flat = |name: &str| {
+            format!(
+                "{read}memory\nflatten\n{turned}opt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
+                 rename {module} {name}\ndesign -stash {name}\n"
+            )
+        };
+        let [gold, gate] = side_by_side::VERSIONS.map(flat);
+        let source = |options: &str, name: &str| {
+            format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
+        };
+        let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
+        let border = self.border(plain(module), open);
+        let miter = match &border {
+            Some(_) => format!(
+                "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
+                side_by_side::MODULE
+            ),
+            None => "miter -equiv -flatten gold gate miter\n".to_owned(),
+        };
+        let comparison = border.map_or_else(String::new, |border| border.side_by_side());
+        // The mutant comes first: its cells have the names of a first reading.
+        // No pass here may take a value for another because it is open: what is open was set to zero in both.
+        let script = format!(
+            "{mutated}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
+             design -copy-from gold gold\ndesign -copy-from gate gate\n\
+             {miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
+             dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
+             write_aiger -zinit miter.aig\n"
+        );
+        let files = [
+            ("source.v", subject.verilog.as_str()),
+            ("assuming.v", &assuming_assertions(&subject.verilog)),
+            ("library.v", &subject.others),
+            ("comparison.v", comparison.as_str()),
+            ("miter.ys", &script),
+        ];
+        for (name, text) in files {
+            let path = folder.join(name);
+            fs::write(&path, text).map_err(file("write", &path))?;
+        }
+        if let Err(error) = yosys.run(top, folder, &["-q", "miter.ys"]) {
+            // It may be too large for yosys' memory; nothing is claimed of it then.
+            note!("{mutation}: undecided, for {error}");
+            return Ok(Proof::Open);
+        }
+        // Registers that hold the same in both are merged first; what is left is small.
+        let script = format!("read_aiger miter.aig; fold; strash; scorr; scorr -F 4; pdr -T {seconds}");
+        let mut command = Command::new(ABC);
+        command.args(["-c", &script]).current_dir(folder);
+        Ok(match process::run(command, Duration::from_secs(2 * u64::from(seconds)), is_answer)? {
+            Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
+            Verdict::Failed(_) => Proof::Different,
+            Verdict::Passed | Verdict::Stuck => Proof::Open,
+        })
+    }
+}
+
+/// The design with assertions that hold in every cycle, to be assumed. Simulations with assertions spoil what a memory's
+/// port reads while it is written; the mutant does not, and need not differ for that.
+fn assuming_assertions(verilog: &str) -> String {
+    let clocked = "always @(posedge clk) if (!rst) begin\n`ifdef FORMAL";
+    let held = "always @* if (!rst) begin\n`ifdef FORMAL";
+    verilog.replace(clocked, held).replace("_word <= ~words[", "_word <= words[")
+}
+
+/// What ABC says of a property that holds, and of one that does not.
+const PROVED: &str = "Property proved";
+const REFUTED: &str = "was asserted in frame";
+
+fn is_answer(line: &str) -> bool {
+    line.contains(PROVED) || line.contains(REFUTED)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,181 @@
+//! Proofs about small designs.
+
+use super::*;
+use crate::mutation::schemata::Schemata;
+use pointcore_tb::verilated::Direction::{self, Input as In, Output as Out};
+use pointcore_tb::verilated::{ModuleInterface, Port, StreamDeclaration, VerilogSource};
+use rtl::{Module, elaborate};
+
+const COUNTER: &str = "module counter(input clk, input rst, output reg [3:0] count);\n\
+    wire never = count == 4'd12;\n\
+    always @(posedge clk) if (rst || count == 4'd9 || never) count <= 0; else count <= count + 4'd1;\n\
+    endmodule\n";
+
+fn yosys() -> Option<Tool> {
+    let yosys = Tool::yosys().ok();
+    if yosys.is_none() {
+        pointcore_tb::skipped::skipped("no yosys that is new enough: `make setup-fpga` installs it");
+    }
+    yosys
+}
+
+/// A mutation that has a wire, or a bit of it, at zero.
+fn stuck_at_zero(wire: &str) -> String {
+    // It must exist: of none, there would be no mutation.
+    let name = wire.split(' ').next().unwrap_or(wire);
+    format!("select -assert-count 1 w:{name}\nmutate -list 1 -mode const0 -wire {wire} -o chosen\nscript chosen\n")
+}
+
+/// What a prover says of a mutation, if there is a yosys.
+fn proof(subject: &Subject, mutation: &str) -> Option<Proof> {
+    Some(prove(&yosys()?, subject, mutation, 10).unwrap_or_else(|error| panic!("{error}")))
+}
+
+/// What it says where some modules inside the top may do anything.
+fn open_proof(yosys: &Tool, subject: &Subject, open: &[&str], wire: &str) -> Proof {
+    let modules = Modules::of(&subject.verilog);
+    let prover = Prover { yosys, subject, mutation: &stuck_at_zero(wire), seconds: 10, modules };
+    prover.compare("top", &open.iter().copied().collect()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn port((name, width, direction): (&str, u32, Direction)) -> Port {
+    Port { name: name.to_owned(), width, direction }
+}
+
+fn interface(name: &str, ports: &[(&str, u32, Direction)], streams: Vec<StreamDeclaration>) -> ModuleInterface {
+    ModuleInterface { name: name.to_owned(), ports: ports.iter().copied().map(port).collect(), streams }
+}
+
+fn subject(verilog: &str, others: &str, core: Option<&str>, top: &str) -> Subject {
+    Subject {
+        verilog: verilog.to_owned(),
+        others: others.to_owned(),
+        core: core.map(str::to_owned),
+        top: top.to_owned(),
+        modules: Modules::of(verilog).names().map(str::to_owned).collect(),
+        interfaces: Vec::new(),
+        tests: Vec::new(),
+        substitute: "unused".into(),
+    }
+}
+
+#[test]
+fn a_condition_that_never_holds_is_equivalent_and_another_is_not() {
+    let subject = subject(COUNTER, "", None, "counter");
+    let stuck = |wire: &str| proof(&subject, &stuck_at_zero(wire));
+    let Some(never) = stuck("never") else { return };
+    assert_eq!((never, stuck("count")), (Proof::Equivalent, Some(Proof::Different)));
+}
+
+#[test]
+fn a_core_may_do_anything_and_may_not_see_a_difference() {
+    let core = "module core(input clk, input [1:0] a, output y);\nassign y = a[0];\nendmodule\n";
+    let top = "module top(input clk, input [2:0] x, output y);\n\
+        reg [2:0] kept;\nalways @(posedge clk) kept <= x;\n\
+        core core(.clk(clk), .a(kept[1:0]), .y(y));\nendmodule\n";
+    let subject = subject(top, core, Some("core"), "top");
+    let stuck = |bit: u32| proof(&subject, &stuck_at_zero(&format!("kept -wirebit {bit}")));
+    let Some(unused) = stuck(2) else { return };
+    assert_eq!((unused, stuck(1), stuck(0)), (Proof::Equivalent, Some(Proof::Different), Some(Proof::Different)));
+}
+
+#[test]
+fn a_module_is_compared_alone_whatever_those_in_it_do() {
+    let inner = "module inner #(\n    parameter W = 2, parameter V = 2\n) (input clk, input [W-1:0] a, output y);\nassign y = a[0];\nendmodule\n";
+    let top = "module top(input clk, input [2:0] x, output z);\nreg [2:0] kept;\nwire y;\n\
+        wire never = kept[0] && kept[2] && !kept[0];\nalways @(posedge clk) kept <= x;\n\
+        inner #(.W(3), .V(3)) inner(\n.clk(clk), .a(kept), .y(y));\nassign z = y ^ never;\nendmodule\n";
+    let subject = subject(&format!("{inner}{top}"), "", None, "top");
+    let Some(yosys) = yosys() else { return };
+    let stuck = |wire: &str, open: &[&str]| open_proof(&yosys, &subject, open, wire);
+    // Open, the inner module could look at all of what it is given, but for what a stream says.
+    assert_eq!((stuck("never", &["inner"]), stuck("never", &[])), (Proof::Equivalent, Proof::Equivalent));
+    let unused = "kept -wirebit 1";
+    assert_eq!((stuck(unused, &["inner"]), stuck(unused, &[])), (Proof::Different, Proof::Equivalent));
+}
+
+#[test]
+fn what_is_neither_offered_nor_written_does_not_count_inside_either() {
+    let sink =
+        "module sink(input clk, input in_valid, input in_x, output y);\nassign y = in_valid && in_x;\nendmodule\n";
+    let memory = "module memory_1w1r #(\n    parameter WIDTH = 8,\n    parameter DEPTH = 2\n) (input clk, input write, \
+        input [$clog2(DEPTH)-1:0] write_address, input [WIDTH-1:0] write_data, input read, \
+        input [$clog2(DEPTH)-1:0] read_address, output [WIDTH-1:0] read_data);\nassign read_data = 0;\nendmodule\n";
+    let top = "module top(input clk, input v, input [3:0] x, output y, output [3:0] z);\n\
+        wire idle = x[1] ^ x[2];\nwire data = v ? x[0] : idle;\nwire [3:0] word = v ? x : {4{idle}};\n\
+        sink sink (\n.clk(clk), .in_valid(v), .in_x(data), .y(y));\n\
+        memory_1w1r #(.WIDTH(4), .DEPTH(3)) words (\n.clk(clk), .write(v), .write_address(x[1:0]), .write_data(word), \
+        .read(1'd1), .read_address(x[1:0]), .read_data(z));\nendmodule\n";
+    let pulse = StreamDeclaration::pulse("in", "valid", In, ["x"]);
+    let interfaces = vec![
+        interface("sink", &[("clk", 1, In), ("in_valid", 1, In), ("in_x", 1, In), ("y", 1, Out)], vec![pulse]),
+        interface("top", &[("clk", 1, In), ("v", 1, In), ("x", 4, In), ("y", 1, Out), ("z", 4, Out)], Vec::new()),
+    ];
+    let strict = subject(&format!("{sink}{memory}{top}"), "", None, "top");
+    let tolerant = Subject { interfaces, ..strict.clone() };
+    let Some(yosys) = yosys() else { return };
+    let stuck = |subject, wire: &str| open_proof(&yosys, subject, &["sink", "memory_1w1r"], wire);
+    assert_eq!((stuck(&strict, "idle"), stuck(&tolerant, "idle")), (Proof::Different, Proof::Equivalent));
+    assert_eq!((stuck(&tolerant, "data"), stuck(&tolerant, "word")), (Proof::Different, Proof::Different));
+}
+
+/// A register after each of two comparisons of a number, of which one never holds where that is asserted.
+fn comparisons(asserts: bool) -> Subject {
+    let mut m = Module::new("unit", "Sees numbers.");
+    let x = m.input("x", 2);
+    let [never, zero] = [("never", 3), ("zero", 0)].map(|(name, value)| m.wire(name, x.eq_lit(value)));
+    for (name, seen) in [("never_seen", never), ("zero_seen", zero)] {
+        let register = m.reg_reset(name, 1, 0);
+        m.next(register, seen);
+        m.output(&format!("{name}_before"), register);
+    }
+    if asserts {
+        m.assert("in_range", !never);
+    }
+    let design = elaborate(&m).unwrap_or_else(|error| panic!("{error}"));
+    subject(&VerilogSource::from(&design).verilog, "", None, "unit")
+}
+
+#[test]
+fn what_an_assertion_rules_out_does_not_count() {
+    let [open, ruled] = [false, true].map(comparisons);
+    let stuck = |subject, wire: &str| proof(subject, &stuck_at_zero(wire));
+    let Some(anything) = stuck(&open, "never") else { return };
+    assert_eq!((anything, stuck(&ruled, "never")), (Proof::Different, Some(Proof::Equivalent)));
+    assert_eq!(stuck(&ruled, "zero"), Some(Proof::Different));
+}
+
+#[test]
+fn a_mutant_is_where_it_was_listed() {
+    let Some(yosys) = yosys() else { return };
+    let subject = comparisons(true);
+    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
+    let schemata = Schemata::new(&yosys, folder.path(), &subject, 8, 1, 1);
+    let schemata = schemata.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(schemata.mutations.len(), 8);
+    for mutation in &schemata.mutations {
+        assert_ne!(proof(&subject, mutation), Some(Proof::Open), "{mutation}");
+    }
+}
+
+#[test]
+fn what_no_stream_offers_does_not_count_and_what_waits_is_held() {
+    let unit = "module unit(input clk, input rst, input in_valid, input in_x, output in_ready, output out_valid,\n\
+        output out_x, output broken);\n\
+        reg full, waited, kept;\nassign in_ready = full;\nassign out_valid = full;\nwire idle = in_x ^ waited;\n\
+        assign out_x = full ? kept : idle;\nassign broken = waited && in_x != kept;\n\
+        always @(posedge clk) begin\nwaited <= in_valid && !full && !rst;\nkept <= in_x;\n\
+        full <= in_valid && !full && !rst;\nend\nendmodule\n";
+    let streams =
+        vec![StreamDeclaration::stream("in", In, ["x"]), StreamDeclaration::pulse("out", "valid", Out, ["x"])];
+    let inputs = ["clk", "rst", "in_valid", "in_x"].map(|name| (name, 1, In));
+    let outputs = ["in_ready", "out_valid", "out_x", "broken"].map(|name| (name, 1, Out));
+    let interface = interface("unit", &[inputs, outputs].concat(), streams);
+    let strict = subject(unit, "", None, "unit");
+    let tolerant = Subject { interfaces: vec![interface], ..strict.clone() };
+    let stuck = |subject, wire: &str| proof(subject, &stuck_at_zero(wire));
+    for (wire, expected) in [("idle", Proof::Equivalent), ("broken", Proof::Equivalent), ("kept", Proof::Different)] {
+        let Some(strictly) = stuck(&strict, wire) else { return };
+        assert_eq!((strictly, stuck(&tolerant, wire)), (Proof::Different, Some(expected)), "{wire}");
+    }
+}
