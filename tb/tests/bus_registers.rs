@@ -32,13 +32,13 @@ fn errors(sources: ErrorSources) -> Vec<(String, ErrorCounter, u32)> {
     names.zip(present).map(|(name, (counter, count))| (name, counter, count)).collect()
 }
 
-/// The inputs that count in a run, and their counters.
-fn counted<M: RegisterMap>(config: &M::Config) -> Vec<(String, RunCounter)> {
+/// The inputs that count in a run, their counters, and their bits.
+fn counted<M: RegisterMap>(config: &M::Config) -> Vec<(String, RunCounter, u32)> {
     let ports = Ports::<M>::ALL;
     let events = fields::<M::Events>(config).into_iter().enumerate();
-    let events = events.map(|(place, field)| (field.name, RunCounter::Event(place)));
+    let events = events.map(|(place, field)| (field.name, RunCounter::Event(place), field.width));
     let packets = [(ports.packet_taken, RunCounter::PacketsIn), (ports.packet_sent, RunCounter::PacketsOut)];
-    events.chain(packets.map(|(port, counter)| (port.name.to_owned(), counter))).collect()
+    events.chain(packets.map(|(port, counter)| (port.name.to_owned(), counter, 1))).collect()
 }
 
 /// A host that makes one access at a time, and the core's side.
@@ -138,14 +138,12 @@ impl Host {
     }
 
     /// Events, errors, and now and then the end of a run.
-    fn happens(&mut self, counted: &[(String, RunCounter)], errors: &[(String, ErrorCounter, u32)]) {
+    fn happens(&mut self, counted: &[(String, RunCounter, u32)], errors: &[(String, ErrorCounter, u32)]) {
         for _ in 0..self.random.u32(..EVENTFUL_CYCLES) {
-            for (name, counter) in counted {
-                let is_high = self.random.bool();
-                self.bench.set(name, is_high.into());
-                if is_high {
-                    self.model.event(*counter);
-                }
+            for (name, counter, width) in counted {
+                let events = self.random.u64(..1 << width);
+                self.bench.set(name, events);
+                (0..events).for_each(|_| self.model.event(*counter));
             }
             for (name, error, count) in errors {
                 let errors = if self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
@@ -166,7 +164,7 @@ impl Host {
                 self.model.finish();
             }
         }
-        let inputs = counted.iter().map(|(name, _)| name).chain(errors.iter().map(|(name, ..)| name));
+        let inputs = counted.iter().map(|(name, ..)| name).chain(errors.iter().map(|(name, ..)| name));
         inputs.for_each(|name| self.bench.set(name, 0));
         self.bench.set("finished", 0);
         if self.starts_ahead {
@@ -256,9 +254,11 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
 
 #[test]
 fn accesses_do_what_the_model_does() {
+    let wide = splat::Config { rasterizers: 8, ..splat::Config::default() };
     let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
     for seed in seeds(SEEDS).unwrap() {
         exchange::<SplatRegisters>(&splat::Config::default(), [0, 1, 1, 2], seed);
+        exchange::<SplatRegisters>(&wide, [0, 1, 1, 2], seed);
         exchange::<SearchRegisters>(&b, [1, 2, 1, 2], seed);
         exchange::<PointsRegisters>(&points::Config { search: b.clone(), ..points::Config::default() }, [0, 4, 1, 3], seed);
     }
