@@ -24,6 +24,9 @@ use std::time::Duration;
 /// The ABC that comes with Debian's yosys.
 const ABC: &str = "yosys-abc";
 
+/// Cycles within which a difference is sought at first.
+const SOON: u32 = 12;
+
 /// A design with more text than this is a whole core: the prover comes to no end with it.
 const LARGEST_BYTES: usize = 60_000;
 
@@ -187,11 +190,17 @@ impl Prover<'_> {
             note!("{mutation}: undecided, for {error}");
             return Ok(Proof::Open);
         }
-        // Registers that hold the same in both are merged first; what is left is small.
-        let script = format!("read_aiger miter.aig; fold; strash; scorr; scorr -F 4; pdr -T {seconds}");
-        let mut command = Command::new(ABC);
-        command.args(["-c", &script]).current_dir(folder);
-        Ok(match process::run(command, Duration::from_secs(2 * u64::from(seconds)), is_answer)? {
+        let ask = |question: &str, limit: u32| {
+            let mut command = Command::new(ABC);
+            command.args(["-c", &format!("read_aiger miter.aig; fold; strash; {question}")]).current_dir(folder);
+            process::run(command, Duration::from_secs(limit.into()), is_answer)
+        };
+        // Most differences show soon. Otherwise registers that hold the same in both are merged; what is left is small.
+        let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
+        if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
+            return Ok(Proof::Different);
+        }
+        Ok(match ask(&format!("scorr; scorr -F 4; pdr -T {seconds}"), 2 * seconds)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
             Verdict::Failed(_) => Proof::Different,
             Verdict::Passed | Verdict::Stuck => Proof::Open,
