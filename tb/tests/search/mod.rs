@@ -75,10 +75,14 @@ pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
     if random.u8(..4) == 0 { coordinate(random) } else { 3.0 - 6.0 * random.f32() }
 }
 
-/// A squared distance of the format: most are on a coarse grid, so that they tie, or all but do, or differ in a single bit;
-/// the others have all the bits of a mantissa.
+/// Its multiples have fractions that are spread evenly, and all the bits of a mantissa.
+const GOLDEN: f32 = 0.618_034;
+
+/// A squared distance of the format: most are one of a few, so that they tie, or all but do, or differ in a single bit;
+/// of the few, half are round and half have all the bits of a mantissa, as have the others.
 pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
-    let grid = word(config, f32::from(random.u8(..=12)) / 4.0);
+    let place = f32::from(random.u8(..=12));
+    let grid = word(config, if random.bool() { place / 4.0 } else { 3.0 * (place * GOLDEN).fract() });
     let near = grid ^ (random.u64(..) & ((1 << random.u32(..8)) - 1));
     let toggled = number(config, grid ^ 1 << random.u32(..config.geometry.width() - 1));
     match random.u8(..5) {
