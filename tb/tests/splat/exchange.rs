@@ -144,9 +144,16 @@ impl Exchange {
             let pixel = first.wrapping_add(random.u8(0..3)) % TILE_PIXELS as u8;
             let last = number == count;
             sample.place = SamplePlace { last, inside, slot: placed.slot, pixel, weight };
-            let depth = SURFACES[random.usize(0..SURFACES.len())] + random.u32(0..EPSILON / 2);
+            let surface = SURFACES[random.usize(0..SURFACES.len())];
+            let (depth, [low, high]) = if random.u8(0..3) == 0 {
+                // The surface itself, and limits that differ from it in one bit each.
+                (surface, [(); 2].map(|()| surface ^ 1 << random.u32(0..DEPTH_BITS)))
+            } else {
+                let depth = surface + random.u32(0..EPSILON / 2);
+                (depth, [depth - EPSILON, depth + EPSILON])
+            };
             sample.weighted_depth = u64::from(weight) * u64::from(depth);
-            (sample.depth_low, sample.depth_high) = (depth - EPSILON, depth + EPSILON);
+            (sample.depth_low, sample.depth_high) = (low.min(high), low.max(high));
             for attribute in &mut sample.attributes[..self.config.continuous as usize] {
                 // Half of them so large that sums overflow, to one side on a pixel; now and then any bits.
                 let number = match random.u8(0..32) {
