@@ -47,7 +47,7 @@ fn exchange(
     let (mut bursts, mut beats) = (VecDeque::new(), VecDeque::new());
     for _ in 0..RECORDS {
         let record: Pixel = scene::noise(config, &mut random);
-        let base = random.u32(..1 << 20) * 64;
+        let base = random.u32(..(1 << 26) - (1 << 14)) * 64;
         let (burst, packet) = model.burst(base, record);
         input.items.push_back(words(config, Addressed { address: base, record }));
         let count = packet.len() / beat_bytes;
