@@ -24,6 +24,9 @@ use std::time::Duration;
 /// The ABC that comes with Debian's yosys.
 const ABC: &str = "yosys-abc";
 
+/// Bits of a memory that is taken for registers.
+const LARGEST_MEMORY_BITS: u32 = 2048;
+
 /// Cycles within which a difference is sought at first.
 const SOON: u32 = 12;
 
@@ -52,13 +55,13 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
-/// with all that is in it, unless that is large; then what surrounds it, which may hide the difference or keep it from coming
+/// with what is in it but large memories, unless that is large; then what surrounds it, which may hide the difference or keep it from coming
 /// about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
     let module = argument("-module").unwrap_or(&subject.top);
     let text = format!("{}\n{}", subject.verilog, subject.others);
-    let prover = Prover { yosys, subject, mutation, seconds, modules: Modules::of(&text) };
+    let prover = Prover { yosys, subject, mutation, mutated: plain(module), seconds, modules: Modules::of(&text) };
     prover.judge(module, argument("-cell"))
 }
 
@@ -67,8 +70,16 @@ struct Prover<'a> {
     yosys: &'a Tool,
     subject: &'a Subject,
     mutation: &'a str,
+    /// The module that is mutated.
+    mutated: &'a str,
     seconds: u32,
     modules: Modules<'a>,
+}
+
+/// A memory of more bits than that is a flood of registers to the prover.
+fn is_large_memory(instance: &Instance<'_>) -> bool {
+    let [width, depth] = ["WIDTH", "DEPTH"].map(|name| instance.parameter(name).unwrap_or_default());
+    instance.of.starts_with("memory_") && width * depth > LARGEST_MEMORY_BITS
 }
 
 /// What the text calls a module: of one with parameters, yosys' name ends with it.
@@ -82,18 +93,21 @@ impl Prover<'_> {
         let Self { subject, modules, .. } = self;
         let name = plain(module);
         let is_core = |name: &str| subject.core.as_deref() == Some(name);
-        let is_mutated = |instance: &Instance<'_>| {
-            let mutated =
-                plain(self.mutation.split(' ').skip_while(|word| *word != "-module").nth(1).unwrap_or_default());
-            cell == Some(instance.name) || modules.within(instance.of, is_core).contains(&mutated)
-        };
+        // Where a port is mutated, the instance may not look at it: what it does shows that. A memory looks at all.
+        let has_mutated_port = |inner: &Instance<'_>| cell == Some(inner.name) && !inner.of.starts_with("memory_");
+        let holds_mutated = |inner: &Instance<'_>| modules.within(inner.of, is_core).contains(&self.mutated);
         let inside = modules.inside(name);
-        let mutated: BTreeSet<&str> = inside.iter().filter(|inner| is_mutated(inner)).map(|inner| inner.of).collect();
-        let whole = inside.iter().map(|inner| inner.of).filter(|inner| is_core(inner)).collect();
+        let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
+        let mutated: BTreeSet<&str> = mutated.map(|inner| inner.of).collect();
+        let within = modules.within(name, is_core);
+        let memories = within.iter().flat_map(|module| modules.inside(module)).filter(is_large_memory);
+        let whole = inside.iter().copied().filter(|inner| is_core(inner.of)).chain(memories);
+        let whole = whole.filter(|inner| inner.of != self.mutated);
+        let whole = whole.map(|inner| inner.of).collect();
         let open: BTreeSet<&str> =
             inside.iter().map(|inner| inner.of).filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let mut proof = self.compare(module, &open)?;
-        let is_large = modules.bytes(&modules.within(name, is_core)) > LARGEST_BYTES;
+        let is_large = modules.bytes(&within) > LARGEST_BYTES;
         if proof != Proof::Equivalent && open != whole && !is_large {
             proof = self.compare(module, &whole)?;
         }

@@ -34,7 +34,7 @@ fn proof(subject: &Subject, mutation: &str) -> Option<Proof> {
 /// What it says where some modules inside the top may do anything.
 fn open_proof(yosys: &Tool, subject: &Subject, open: &[&str], wire: &str) -> Proof {
     let modules = Modules::of(&subject.verilog);
-    let prover = Prover { yosys, subject, mutation: &stuck_at_zero(wire), seconds: 10, modules };
+    let prover = Prover { yosys, subject, mutation: &stuck_at_zero(wire), mutated: "top", seconds: 10, modules };
     prover.compare("top", &open.iter().copied().collect()).unwrap_or_else(|error| panic!("{error}"))
 }
 
