@@ -31,7 +31,7 @@ const LARGEST_MEMORY_BITS: u32 = 2048;
 const SOON: u32 = 12;
 
 /// A design with more text than this is a whole core: the prover comes to no end with it.
-const LARGEST_BYTES: usize = 60_000;
+const LARGEST_BYTES: usize = 120_000;
 
 /// What became of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
