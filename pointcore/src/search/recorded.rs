@@ -3,7 +3,8 @@
 use super::SearchError;
 use super::generate::SearchCore;
 use crate::recording::Recording;
-use crate::stimuli::searcher::{Bounds, Script, Searcher};
+use crate::stimuli::pace::Paces;
+use crate::stimuli::searcher::{Answers, Bounds, STREAMS, Script, Searcher};
 use crate::stimuli::surroundings::Surroundings;
 use fastrand::Rng;
 use pointcore_contract::count;
@@ -13,9 +14,13 @@ use pointcore_golden::unit::{Ported, Unit};
 use pointcore_tb::lockstep::{Flow, Stimulus};
 
 /// Runs, each with a tree of its own: what a fault needs to show comes in one of them.
-const RUNS: u64 = 40;
+const RUNS: u64 = 80;
 /// How much there is in a run.
 const BOUNDS: Bounds = Bounds { searches: 2, points: 60, queries: 8, latency_cycles: 20, reset_cycles: 2000 };
+/// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill.
+const BUSY_EVERY: u64 = 4;
+const BUSY: Bounds = Bounds { points: 200, queries: 16, ..BOUNDS };
+const AT_ONCE: Answers = Answers { latency: 1, window: 1 };
 /// Cycles without a transfer after which the model is stuck: streams are held for hundreds.
 const QUIET_CYCLES: u64 = 20_000;
 
@@ -31,7 +36,14 @@ pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchErr
     let mut recording = Recording::new(list);
     for seed in 0..RUNS {
         let mut random = Rng::with_seed(seed);
-        let script = Script::random(config, BOUNDS, &mut random);
+        let script = match seed % BUSY_EVERY {
+            0 => Script {
+                paces: Paces::in_turns(STREAMS, None),
+                answers: AT_ONCE,
+                ..Script::random(config, BUSY, &mut random)
+            },
+            _ => Script::random(config, BOUNDS, &mut random),
+        };
         let mut host = Searcher::new(config, script, None, QUIET_CYCLES, random);
         // Caches forget the tree of the run before; the reset is the first of the inputs.
         inputs.fill(0);

@@ -176,6 +176,20 @@ impl RandomTree {
         CacheSetup { ball, far_scale: scale(1.0 - random.f32() / 1000.0), margin_scale: scale(margin) }
     }
 
+    /// A squared distance that the core comes to know, or almost: to a point, or to one in a single dimension, as a plane is.
+    fn near_radius2(&self, config: &Config, from: Point, random: &mut Rng) -> u32 {
+        let to = one_of(random, &self.points);
+        let offset = |dimension: usize| {
+            let [from, to] = [from, to].map(|point| f64::from(decode(config.geometry, point[dimension])));
+            (from - to).powi(2)
+        };
+        let distance2 = if random.bool() { (0..3).map(offset).sum() } else { offset(random.usize(..3)) };
+        let word = encode(config.geometry, distance2 as f32);
+        let toggled = word ^ 1 << random.u32(..config.geometry.width() - 1);
+        let is_radius = |word: &u32| decode(config.geometry, *word) >= 0.0;
+        [toggled, word].into_iter().find(is_radius).unwrap_or_else(|| encode(config.geometry, f32::INFINITY))
+    }
+
     /// So many queries at most that are asked together: near a few places, so that a neighbor cache is of use, or anywhere.
     #[must_use]
     pub fn queries(&self, config: &Config, most: u32, random: &mut Rng) -> Vec<CachedQuery> {
@@ -195,12 +209,13 @@ impl RandomTree {
                 *component ^= random.u32(..) & ((1 << random.u32(..8)) - 1);
             }
             let (k, radius2) = match config.neighbor_cache {
-                0 => (random.u8(1..=config.neighbors as u8), one_of(random, &radii)),
-                _ => (all_k, common),
+                0 if random.bool() => (random.u8(1..=config.neighbors as u8), self.near_radius2(config, point, random)),
+                0 => (random.u8(1..=config.neighbors as u8), encode(config.geometry, one_of(random, &radii))),
+                _ => (all_k, encode(config.geometry, common)),
             };
             let number = number.wrapping_mul(STEP) & (u32::MAX >> (u32::BITS - config.index_bits));
             let reach = encode(config.geometry, random.f32());
-            let query = Query { number, k, radius2: encode(config.geometry, radius2), point };
+            let query = Query { number, k, radius2, point };
             CachedQuery { query, reach: if config.neighbor_cache > 0 { reach } else { 0 } }
         };
         let count = random.u32(1..=most);
