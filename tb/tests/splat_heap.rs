@@ -10,14 +10,21 @@ use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, St
 use crate::splat::{Device, RUNS, scene};
 
 const ENTRIES: u64 = 3000;
+/// A tile from which others differ in one bit.
+const COMMON: u32 = 0xa5a5;
 
-/// Entries in bursts of few tiles, so that many have the same tile and differ in arrival only.
+/// Entries in bursts: of few tiles, so that many have the same tile and differ in arrival only; of any; and of tiles that
+/// differ in one bit from a common one.
 fn entries(config: &Config) -> Vec<HeapEntry> {
     let mut random = scene::random();
     let (tiles, pointers) = (1 << config.tile_bits(), 1 << config.heap_levels);
     let entry = |index: u64| {
-        let spread = if index % 64 < 32 { 3 } else { tiles };
-        HeapEntry { tile: random.u32(0..spread), pointer: random.u16(0..pointers) }
+        let tile = match index / 32 % 3 {
+            0 => random.u32(0..3),
+            1 => random.u32(0..tiles),
+            _ => (COMMON ^ 1 << random.u32(0..config.tile_bits())) % tiles,
+        };
+        HeapEntry { tile, pointer: random.u16(0..pointers) }
     };
     (0..ENTRIES).map(entry).collect()
 }
