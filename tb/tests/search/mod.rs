@@ -81,8 +81,9 @@ const GOLDEN: f32 = 0.618_034;
 /// A squared distance of the format: most are one of a few, so that they tie, or all but do, or differ in a single bit;
 /// of the few, half are round and half have all the bits of a mantissa, as have the others.
 pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
-    let place = f32::from(random.u8(..=12));
-    let grid = word(config, if random.bool() { place / 4.0 } else { 3.0 * (place * GOLDEN).fract() });
+    let round = f32::from(random.u8(..=12)) / 4.0;
+    let dense = 3.0 * (f32::from(random.u8(1..=4)) * GOLDEN).fract();
+    let grid = word(config, if random.bool() { round } else { dense });
     let near = grid ^ (random.u64(..) & ((1 << random.u32(..8)) - 1));
     let toggled = number(config, grid ^ 1 << random.u32(..config.geometry.width() - 1));
     match random.u8(..5) {
