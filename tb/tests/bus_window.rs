@@ -22,7 +22,7 @@ const HOST: Slave = Ports::ALL.host;
 /// Mostly what is accepted; of the others some begin beyond the window, just behind its end or anywhere in the range of addresses.
 fn address(index_bits: u32, random: &mut fastrand::Rng) -> BurstAddress {
     let inside = random.u32(..1 << index_bits) * 8;
-    let longest = if random.bool() { 4 } else { 32 };
+    let longest = [4, 4, 32, 255][random.usize(..4)];
     let length = random.u8(..longest);
     let length =
         if random.u8(..3) > 0 { length.min(((1 << index_bits) - 1 - inside / 8).min(255) as u8) } else { length };

@@ -10,6 +10,8 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
 const QUERIES: u64 = 300;
+/// Odd, so that numbers have all their bits and none comes twice.
+const STEP: u64 = 0x9e37_79b1;
 
 /// Searches find some neighbors, `init` and `kernel` and `final` take their time.
 #[derive(Clone)]
@@ -28,6 +30,7 @@ struct Surroundings {
 impl Surroundings {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
         for number in 0..QUERIES {
+            let number = number.wrapping_mul(STEP) & ((1 << config.index_bits) - 1);
             let query = item::<queries::Query>(config, &[number], &mut feeds.random);
             feeds.feed("query", query);
         }
