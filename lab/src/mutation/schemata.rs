@@ -14,7 +14,7 @@ const CHOICE_BITS: u32 = 16;
 /// What brings a design to the netlist whose bits are mutated. Names of cells follow from it.
 pub const NETLIST: &str = "proc\nopt_expr -keepdc\nopt_clean\n";
 
-/// A mutant is anywhere but in the initial contents of memories, which have to be constant: tables are mutated where they are read.
+/// What is left as it is: the initial contents of memories, which have to be constant. Tables are mutated where they are read.
 const CONSTANT: &str = "t:$meminit t:$meminit_v2 %u";
 
 /// Warnings that a netlist written as Verilog earns: it is wide where it need not be, and mutants confuse bits of a word.
@@ -46,11 +46,12 @@ impl Schemata {
             fs::write(&path, text).map_err(file("write", &path))?;
         }
         // With parameters of its own, a module's name ends with what it is called in the text.
-        let selection: String = subject.modules.iter().map(|name| format!("{name}/* $paramod*\\\\{name}/* ")).collect();
+        let modules: String = subject.modules.iter().map(|name| format!("{name}/* $paramod*\\\\{name}/* ")).collect();
         let union = "%u ".repeat(2 * subject.modules.len() - 1);
+        let selection = format!("{modules}{union}{CONSTANT} %d");
         let script = format!(
             "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}\
-             mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations {selection}{union}{CONSTANT} %d\n\
+             mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations {selection}\n\
              script mutations\ndelete -port {top}/{CHOICE}\nwrite_verilog -noattr -norename mutated.v\n"
         );
         let path = folder.join("mutate.ys");

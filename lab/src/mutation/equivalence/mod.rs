@@ -30,7 +30,7 @@ const LARGEST_MEMORY_BITS: u32 = 2048;
 /// Cycles within which a difference is sought at first.
 const SOON: u32 = 12;
 
-/// A design with more text than this is a whole core: the prover comes to no end with it.
+/// With more text than this a module is a whole core: the prover comes to no end with it.
 const LARGEST_BYTES: usize = 120_000;
 
 /// What became of a proof.
@@ -55,8 +55,8 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
-/// with what is in it but large memories, unless that is large; then what surrounds it, which may hide the difference or keep it from coming
-/// about.
+/// with what is in it but large memories, unless that is large; then what surrounds it, which may hide the difference or
+/// keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
     let module = argument("-module").unwrap_or(&subject.top);

@@ -81,7 +81,8 @@ fn a_core_may_do_anything_and_may_not_see_a_difference() {
 
 #[test]
 fn a_module_is_compared_alone_whatever_those_in_it_do() {
-    let inner = "module inner #(\n    parameter W = 2, parameter V = 2\n) (input clk, input [W-1:0] a, output y);\nassign y = a[0];\nendmodule\n";
+    let inner = "module inner #(\n    parameter W = 2, parameter V = 2\n) (input clk, input [W-1:0] a, output y);\n\
+        assign y = a[0];\nendmodule\n";
     let top = "module top(input clk, input [2:0] x, output z);\nreg [2:0] kept;\nwire y;\n\
         wire never = kept[0] && kept[2] && !kept[0];\nalways @(posedge clk) kept <= x;\n\
         inner #(.W(3), .V(3)) inner(\n.clk(clk), .a(kept), .y(y));\nassign z = y ^ never;\nendmodule\n";
