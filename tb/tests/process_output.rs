@@ -1,6 +1,7 @@
 //! Output against its model, with queries that are done sooner or later.
 
 use pointcore_contract::process::queries::{Finished, Numbered, Outcome};
+use pointcore_contract::fields;
 use pointcore_contract::process::{Config, stages};
 use pointcore_golden::process::Output;
 use pointcore_hdl::process::output;
@@ -9,15 +10,19 @@ use crate::process::scene::{configs, field, item};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
-const QUERIES: u64 = 300;
-const ITERATIONS_MAX: u64 = 3;
+const QUERIES: u64 = 200;
+/// Iterations after which queries of a run are capped.
+const ITERATIONS_MAX: [u64; 3] = [1, 2, 5];
 /// A query's blocks take longer.
 const BLOCK_CYCLES: u32 = 3;
+/// What comes sooner in one run comes later in another: a query may begin in any cycle of another's iteration.
+const DELAYS: u32 = 4;
 
 /// Threads that finish iterations, one after the other.
 #[derive(Clone)]
 struct Queries {
     config: Config,
+    iterations_max: u64,
     left: u64,
     /// By thread: the query's number, its complete iterations, whether the last one made it done.
     threads: Vec<(u64, u64, bool)>,
@@ -32,13 +37,18 @@ impl Queries {
             self.left -= 1;
             let numbered = item::<Numbered>(&self.config, &[thread], &mut feeds.random);
             self.threads[thread as usize] = (numbered[1], 0, false);
-            feeds.feed_after(1, "numbered", numbered);
+            let delay = feeds.random.u32(..DELAYS);
+            feeds.feed_after(1 + delay, "numbered", numbered);
         }
     }
 
     fn iterate(&self, feeds: &mut Feeds, thread: u64) {
-        let finished = item::<Finished>(&self.config, &[thread], &mut feeds.random);
-        feeds.feed_after(BLOCK_CYCLES, "finished", finished);
+        let mut finished = item::<Finished>(&self.config, &[thread], &mut feeds.random);
+        let done = fields::<Finished>(&self.config).iter().position(|field| field.name == "done");
+        // Some are done before they are capped, and some are not.
+        finished[done.unwrap()] = u64::from(feeds.random.u64(..2 * self.iterations_max) == 0);
+        let delay = feeds.random.u32(..DELAYS);
+        feeds.feed_after(BLOCK_CYCLES + delay, "finished", finished);
     }
 }
 
@@ -50,7 +60,7 @@ impl Rule for Queries {
                 let done = field::<Finished>(&self.config, fields, "done") == 1;
                 let (number, iterations, _) = &mut self.threads[fields[0] as usize];
                 *iterations += 1;
-                let capped = !done && *iterations == ITERATIONS_MAX;
+                let capped = !done && *iterations == self.iterations_max;
                 if done || capped {
                     self.expected.push([*number, *iterations, capped.into()]);
                 }
@@ -69,11 +79,13 @@ impl Rule for Queries {
 fn queries_leave_when_they_are_done_or_capped() {
     for config in configs() {
         let begin = |feeds: &mut Feeds| {
-            feeds.hold("iterations_max", ITERATIONS_MAX);
+            let iterations_max = ITERATIONS_MAX[feeds.random.usize(..ITERATIONS_MAX.len())];
+            feeds.hold("iterations_max", iterations_max);
             let threads = vec![(0, 0, false); config.threads as usize];
             let (expected, left_with) = (vec![], vec![]);
-            let mut queries = Queries { config: config.clone(), left: QUERIES, threads, expected, left_with };
-            (0..config.threads.into()).for_each(|thread| queries.number(feeds, thread));
+            let config = config.clone();
+            let mut queries = Queries { config, iterations_max, left: QUERIES, threads, expected, left_with };
+            (0..queries.config.threads.into()).for_each(|thread| queries.number(feeds, thread));
             queries
         };
         let (module, model) = (output::module(&config), Output::new(&config));
