@@ -61,11 +61,13 @@ fn check(core: &str, folder: &Path) {
 
     let vectors = folder.join(format!("{core}_test.hex"));
     let recorded = read(&vectors);
-    // In the midst of the run: at its beginning the core clears its memories, and some inputs mean nothing.
+    // In the midst of the run: at its beginning the core clears its memories, and some inputs mean nothing. More bits than a
+    // beat has, which may be of points that nobody finds.
     let middle = recorded.lines().count() / 2;
+    let spoilt = middle..middle + 16;
     let wrong = recorded.lines().enumerate().map(|(place, word)| {
         let bits = u64::from_str_radix(word, 16).expect("a word");
-        format!("{:016x}\n", if place == middle { !bits } else { bits })
+        format!("{:016x}\n", if spoilt.contains(&place) { !bits } else { bits })
     });
     fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
     let (passed, text) = simulated(core, folder);
