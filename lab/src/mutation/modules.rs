@@ -12,9 +12,14 @@ struct Module<'a> {
     text: &'a str,
 }
 
-impl Module<'_> {
-    fn places(&self, inner: &str) -> bool {
-        self.text.lines().any(|line| line.split_whitespace().next() == Some(inner))
+impl<'a> Module<'a> {
+    /// What its lines may place: only names of modules tell.
+    fn instances(self) -> impl Iterator<Item = Instance<'a>> {
+        self.text.lines().skip(1).filter_map(Instance::of)
+    }
+
+    fn places(self, inner: &str) -> bool {
+        self.instances().any(|instance| instance.of == inner)
     }
 }
 
@@ -41,10 +46,14 @@ impl<'a> Instance<'a> {
         Some(Self { of, name, parameters })
     }
 
-    /// The value of a parameter.
-    pub fn parameter(&self, name: &str) -> Option<u32> {
-        let (_, rest) = self.parameters.split_once(&format!(".{name}("))?;
-        rest.split(')').next()?.parse().ok()
+    /// Width and depth of a memory, where it is one.
+    pub fn memory_size(&self) -> Option<[u32; 2]> {
+        let parameter = |name: &str| {
+            let (_, rest) = self.parameters.split_once(&format!(".{name}("))?;
+            rest.split(')').next()?.parse().ok()
+        };
+        self.of.strip_prefix("memory_")?;
+        Some([parameter("WIDTH")?, parameter("DEPTH")?])
     }
 }
 
@@ -78,7 +87,7 @@ impl<'a> Modules<'a> {
     /// What `outer` places.
     pub fn inside(&self, outer: &str) -> Vec<Instance<'a>> {
         let outer = self.all.iter().filter(|module| module.name == outer);
-        let instances = outer.flat_map(|outer| outer.text.lines().skip(1)).filter_map(Instance::of);
+        let instances = outer.flat_map(|outer| outer.instances());
         instances.filter(|instance| self.names().any(|name| name == instance.of)).collect()
     }
 
@@ -121,7 +130,8 @@ mod tests {
         let instance = |of, name, parameters| Instance { of, name, parameters };
         assert_eq!(modules.inside("top"), [instance("outer", "y", ""), instance("shared", "z", "")]);
         assert_eq!(modules.inside("outer"), [instance("inner", "x", ".W(2), .V(13)")]);
-        assert_eq!(modules.inside("outer")[0].parameter("V"), Some(13));
+        let memory = instance("memory_1w1r", "words", ".WIDTH(9), .DEPTH(5)");
+        assert_eq!((memory.memory_size(), modules.inside("outer")[0].memory_size()), (Some([9, 5]), None));
         assert_eq!(modules.within("top", |_| false), ["top", "outer", "shared", "inner", "deep"]);
         assert_eq!(modules.within("top", |name| name == "shared"), ["top", "outer", "inner"]);
     }

@@ -2,6 +2,7 @@
 
 use super::modules::Instance;
 use pointcore_tb::verilated::{Direction, ModuleInterface, Port, RESET, StreamDeclaration};
+use rtl::address_width;
 use std::fmt::Write;
 
 /// Name of the module that holds both.
@@ -41,9 +42,9 @@ impl From<&ModuleInterface> for Border {
 impl Border {
     /// That of a memory, by its module's name and its parameters: what it neither writes nor reads means nothing.
     pub fn memory(instance: &Instance<'_>) -> Option<Self> {
+        let [width, depth] = instance.memory_size()?;
         let reads: u32 = instance.of.strip_prefix("memory_1w")?.split_once('r')?.0.parse().ok()?;
-        let [width, depth] = ["WIDTH", "DEPTH"].map(|name| instance.parameter(name));
-        let (width, address) = (width?, depth?.next_power_of_two().trailing_zeros());
+        let address = address_width(depth);
         let port = |name: &str, width, direction| Port { name: name.to_owned(), width, direction };
         let mut border = Self { ports: vec![port("clk", 1, Direction::Input)], streams: vec![] };
         let access = |border: &mut Self, name: &str, data: Direction| {

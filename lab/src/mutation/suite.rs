@@ -95,13 +95,14 @@ impl Suite {
             // What a thread builds that is no test's own may be any test's.
             if self.tests.contains(&test) { tests.extend([test]) } else { tests.extend(of_unit()) }
         }
+        let units = self.units();
+        let elsewhere = |module: &str| home(&units, module).is_some_and(|home| home != unit);
         let subject = |((digest, top), tests): ((String, String), BTreeSet<String>)| {
             let read = |ending: &str| {
                 let path = folder.join(format!("{digest}.{ending}"));
                 fs::read_to_string(&path).map_err(file("read", &path))
             };
             let verilog = read(substitute::ORIGINAL)?;
-            let elsewhere = |module: &str| home(&self.units(), module).is_some_and(|home| home != unit);
             let modules = Modules::of(&verilog).within(&top, elsewhere);
             let modules = modules.into_iter().map(str::to_owned).collect();
             let interfaces = serde_json::from_str(&read(substitute::INTERFACES)?);

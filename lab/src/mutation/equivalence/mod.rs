@@ -78,8 +78,7 @@ struct Prover<'a> {
 
 /// A memory of more bits than that is a flood of registers to the prover.
 fn is_large_memory(instance: &Instance<'_>) -> bool {
-    let [width, depth] = ["WIDTH", "DEPTH"].map(|name| instance.parameter(name).unwrap_or_default());
-    instance.of.starts_with("memory_") && width * depth > LARGEST_MEMORY_BITS
+    instance.memory_size().is_some_and(|[width, depth]| width * depth > LARGEST_MEMORY_BITS)
 }
 
 /// What the text calls a module: of one with parameters, yosys' name ends with it.
@@ -94,18 +93,18 @@ impl Prover<'_> {
         let name = plain(module);
         let is_core = |name: &str| subject.core.as_deref() == Some(name);
         // Where a port is mutated, the instance may not look at it: what it does shows that. A memory looks at all.
-        let has_mutated_port = |inner: &Instance<'_>| cell == Some(inner.name) && !inner.of.starts_with("memory_");
+        let has_mutated_port = |inner: &Instance<'_>| cell == Some(inner.name) && inner.memory_size().is_none();
         let holds_mutated = |inner: &Instance<'_>| modules.within(inner.of, is_core).contains(&self.mutated);
         let inside = modules.inside(name);
         let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
         let mutated: BTreeSet<&str> = mutated.map(|inner| inner.of).collect();
         let within = modules.within(name, is_core);
         let memories = within.iter().flat_map(|module| modules.inside(module)).filter(is_large_memory);
-        let whole = inside.iter().copied().filter(|inner| is_core(inner.of)).chain(memories);
-        let whole = whole.filter(|inner| inner.of != self.mutated);
-        let whole = whole.map(|inner| inner.of).collect();
+        let inside: Vec<&str> = inside.iter().map(|inner| inner.of).collect();
+        let cores = inside.iter().copied().filter(|inner| is_core(inner));
+        let whole = cores.chain(memories.map(|memory| memory.of)).filter(|inner| *inner != self.mutated).collect();
         let open: BTreeSet<&str> =
-            inside.iter().map(|inner| inner.of).filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
+            inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let mut proof = self.compare(module, &open)?;
         let is_large = modules.bytes(&within) > LARGEST_BYTES;
         if proof != Proof::Equivalent && open != whole && !is_large {
@@ -123,9 +122,14 @@ impl Prover<'_> {
         Ok(proof)
     }
 
+    /// The border of a module as the generator knows it.
+    fn known(&self, module: &str) -> Option<Border> {
+        self.subject.interfaces.iter().find(|interface| interface.name == module).map(Border::from)
+    }
+
     /// The border of a module out of which some were taken, if all of them are known.
     fn border(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
-        let mut border = Border::from(self.subject.interfaces.iter().find(|interface| interface.name == module)?);
+        let mut border = self.known(module)?;
         self.take_out(&mut border, "", module, open)?;
         Some(border)
     }
@@ -134,8 +138,7 @@ impl Prover<'_> {
         for instance in self.modules.inside(module) {
             let place = format!("{path}{}", instance.name);
             if open.contains(instance.of) {
-                let known = self.subject.interfaces.iter().find(|interface| interface.name == instance.of);
-                let inner = known.map(Border::from).or_else(|| Border::memory(&instance))?;
+                let inner = self.known(instance.of).or_else(|| Border::memory(&instance))?;
                 border.take_out(&place, &inner);
             } else {
                 self.take_out(border, &format!("{place}."), instance.of, open)?;
