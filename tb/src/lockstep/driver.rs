@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::comparison::Comparison;
 use super::failure::{Cause, LockstepError, LockstepFailure, Waveform};
-use super::interrupted::{interrupted, reset_inputs};
+use super::interrupted::{interrupted, noisy_reset};
 use super::protocol::Protocol;
 use super::replay::Replay;
 use super::seed::SEED_VARIABLE;
@@ -220,7 +220,7 @@ impl State {
         let protocol = Protocol::new(streams, reset);
         let is_event = |&output: &usize| library.outputs()[output].width == 1 && !streams.have_output(output);
         let events = (0..outputs.len()).filter(is_event).map(|output| (output, 0)).collect();
-        Self { inputs: reset_inputs(library, seed), expected: outputs.clone(), outputs, protocol, events }
+        Self { inputs: noisy_reset(library, seed), expected: outputs.clone(), outputs, protocol, events }
     }
 
     fn count_events(&mut self) {

@@ -9,7 +9,7 @@ use crate::verilated::{Library, Port, RESET, VerilatedError, VerilatedModel};
 const LONGEST: u64 = 300;
 
 /// Inputs of a reset cycle: `rst` high, everything else as good as any, for the reset not to care.
-pub fn reset_inputs(library: &Library, seed: u64) -> Vec<u64> {
+pub fn noisy_reset(library: &Library, seed: u64) -> Vec<u64> {
     let mut random = fastrand::Rng::with_seed(seed);
     let input = |port: &Port| if port.name == RESET { 1 } else { random.u64(..) >> (u64::BITS - port.width) };
     library.inputs().iter().map(input).collect()

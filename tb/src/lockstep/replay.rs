@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::comparison::Comparison;
 use super::failure::Waveform;
-use super::interrupted::{interrupted, reset_inputs};
+use super::interrupted::{interrupted, noisy_reset};
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
 use crate::cache::kept;
 use crate::verilated::{Library, VerilatedError, substitute};
@@ -36,7 +36,7 @@ impl Replay<'_> {
             return Err(VerilatedError::Waveform { path, reason: "substitutes are run without" });
         }
         let mut model = interrupted(&self.library.traced()?, self.seed, stimulus.clone())?;
-        let mut inputs = reset_inputs(self.library, self.seed);
+        let mut inputs = noisy_reset(self.library, self.seed);
         let mut outputs = vec![0; self.library.outputs().len()];
         let first = (RESET_CYCLES + self.cycle + 1).saturating_sub(self.recorded);
         for step in 0..=RESET_CYCLES + self.cycle {
