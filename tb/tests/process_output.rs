@@ -1,12 +1,11 @@
 //! Output against its model, with queries that are done sooner or later.
 
 use pointcore_contract::process::queries::{Finished, Numbered, Outcome};
-use pointcore_contract::fields;
 use pointcore_contract::process::{Config, stages};
 use pointcore_golden::process::Output;
 use pointcore_hdl::process::output;
 
-use crate::process::scene::{configs, field, item};
+use crate::process::scene::{configs, field, item, place};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
@@ -44,9 +43,8 @@ impl Queries {
 
     fn iterate(&self, feeds: &mut Feeds, thread: u64) {
         let mut finished = item::<Finished>(&self.config, &[thread], &mut feeds.random);
-        let done = fields::<Finished>(&self.config).iter().position(|field| field.name == "done");
         // Some are done before they are capped, and some are not.
-        finished[done.unwrap()] = u64::from(feeds.random.u64(..2 * self.iterations_max) == 0);
+        finished[place::<Finished>(&self.config, "done")] = u64::from(feeds.random.u64(..2 * self.iterations_max) == 0);
         let delay = feeds.random.u32(..DELAYS);
         feeds.feed_after(BLOCK_CYCLES + delay, "finished", finished);
     }

@@ -51,8 +51,13 @@ pub fn item<R: Record>(config: &R::Config, first: &[u64], random: &mut Rng) -> V
     widths.enumerate().map(word).collect()
 }
 
+/// The place of a field of that name in an item.
+pub fn place<R: Record>(config: &R::Config, name: &str) -> usize {
+    let place = fields::<R>(config).iter().position(|field| field.name == name);
+    place.unwrap_or_else(|| panic!("no field {name}"))
+}
+
 /// The word of a field of that name in an item.
 pub fn field<R: Record>(config: &R::Config, item: &[u64], name: &str) -> u64 {
-    let place = fields::<R>(config).iter().position(|field| field.name == name);
-    item[place.unwrap_or_else(|| panic!("no field {name}"))]
+    item[place::<R>(config, name)]
 }
