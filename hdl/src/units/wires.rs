@@ -66,9 +66,9 @@ pub(crate) trait Bundle: Record<Domain = Wires> {
     /// Asserts, while `valid` is set, that each value is below what its field says.
     fn assert_range(self, m: &mut Module, config: &Self::Config, name: &str, valid: Expr) {
         for (field, value) in fields::<Self>(config).iter().zip(self.values(config)) {
-            let below = field.below.filter(|below| *below < 1 << field.width);
+            let below = field.below.map(u128::from).filter(|below| *below < 1 << field.width);
             if let Some(below) = below {
-                m.assert(&format!("{name}_{}_in_range", field.name), !valid | value.lt_lit(below.into()));
+                m.assert(&format!("{name}_{}_in_range", field.name), !valid | value.lt_lit(below));
             }
         }
     }
