@@ -86,6 +86,12 @@ impl Format {
         1 + self.exponent + self.mantissa
     }
 
+    /// Negative zero: the words of numbers that are not negative are below.
+    #[must_use]
+    pub const fn negative(self) -> u64 {
+        1 << (self.width() - 1)
+    }
+
     /// Exponent bias.
     #[inline]
     #[must_use]

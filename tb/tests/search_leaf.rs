@@ -10,14 +10,18 @@ use crate::search::tree::Tree;
 use crate::search::{all, configs, lockstep, start};
 
 const LEAVES: u64 = 600;
+/// Leaves that a thread visits at once, at most: enough for the beats of a few threads to fill the unit.
+const AT_ONCE: u64 = 12;
 
-/// Threads that visit one leaf after the other, and the memory.
+/// Threads that visit a few leaves at a time, and the memory.
 #[derive(Clone)]
 struct Visits {
     config: Config,
     tree: Tree,
     writes_left: usize,
     visits_left: u64,
+    /// Leaves that each thread visits.
+    under_way: Vec<u64>,
 }
 
 impl Visits {
@@ -31,9 +35,22 @@ impl Visits {
 
     fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.visits_left > 0 {
-            self.visits_left -= 1;
+            let visits = feeds.random.u64(1..=AT_ONCE.min(self.visits_left));
+            self.visits_left -= visits;
+            self.under_way[thread as usize] = visits;
             let start = start(&self.config, thread, 0, &mut feeds.random);
             feeds.feed("start", start);
+        }
+    }
+
+    fn visit(&self, feeds: &mut Feeds, thread: u64) {
+        let leaves = self.tree.leaves();
+        let number = leaves[feeds.random.usize(..leaves.len())];
+        if self.config.tree_cache == 0 {
+            feeds.feed("leaf", vec![thread, number]);
+        } else {
+            let leaf = self.tree.record((1 << self.config.tree_depth) + number);
+            self.answer(feeds, thread, leaf[3], leaf[4]);
         }
     }
 }
@@ -49,21 +66,18 @@ impl Rule for Visits {
                     self.begin(feeds);
                 }
             }
-            "start" => {
-                let leaves = self.tree.leaves();
-                let number = leaves[feeds.random.usize(..leaves.len())];
-                if self.config.tree_cache == 0 {
-                    feeds.feed("leaf", vec![fields[0], number]);
-                } else {
-                    let leaf = self.tree.record((1 << self.config.tree_depth) + number);
-                    self.answer(feeds, fields[0], leaf[3], leaf[4]);
-                }
-            }
+            "start" => (0..self.under_way[fields[0] as usize]).for_each(|_| self.visit(feeds, fields[0])),
             "fetch" => {
                 let &[thread, address, beats] = fields else { panic!("a request has three fields") };
                 self.answer(feeds, thread, address, beats);
             }
-            "candidates" if fields[2] == 1 => self.restart(feeds, fields[0]),
+            "candidates" if fields[2] == 1 => {
+                let under_way = &mut self.under_way[fields[0] as usize];
+                *under_way -= 1;
+                if *under_way == 0 {
+                    self.restart(feeds, fields[0]);
+                }
+            }
             _ => {}
         }
     }
@@ -78,7 +92,8 @@ fn leaves_agree_with_the_model() {
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::fine(&config, &mut feeds.random);
             let writes_left = tree.writes.len();
-            let mut visits = Visits { config: config.clone(), writes_left, tree, visits_left: LEAVES };
+            let under_way = vec![0; config.threads as usize];
+            let mut visits = Visits { config: config.clone(), writes_left, tree, visits_left: LEAVES, under_way };
             match config.tree_cache {
                 0 => visits.tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone())),
                 _ => visits.begin(feeds),

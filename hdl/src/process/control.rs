@@ -97,10 +97,18 @@ fn address(thread: Expr, rank: Expr) -> Expr {
     cat([thread, rank])
 }
 
-/// Neighbors found enter their lists unless `stays`; returns whether a thread's are complete, and whose.
-fn take_found(m: &mut Module, config: &Config, lists: &Lists, stays: Expr) -> (Expr, Thread<Wires>) {
+/// Neighbors found enter their lists unless a thread is `kept`; returns whether a thread's are complete, and whose.
+fn take_found(
+    m: &mut Module,
+    config: &Config,
+    lists: &Lists,
+    again: &Pulse<Again<Wires>>,
+    kept: Expr,
+) -> (Expr, Thread<Wires>) {
     let found = PORTS.found.queue(m, config);
-    m.drive(found.ready, !stays);
+    m.drive(found.ready, !kept);
+    let is_same = found.record.thread.thread.eq(again.record.thread.thread);
+    m.assert("finds_nothing_in_final", !(again.valid & found.valid) | !is_same);
     let take = m.wire("take_found", found.transfer());
     let Found { thread, last, found, index } = found.record;
     let bits = place_bits(config);
@@ -176,7 +184,7 @@ pub fn module(config: &Config) -> Module {
         ends: m.memory_distributed("ends", 1 << config.thread_bits(), 1 + place_bits(config)),
     };
     let kept = m.wire("kept", again.valid & !again.record.search);
-    let (complete, listed) = take_found(&mut m, config, &lists, kept);
+    let (complete, listed) = take_found(&mut m, config, &lists, &again, kept);
     let ready = Thread::choose(config, kept, again.record.thread, listed);
     let is_ready = m.wire("is_ready", kept | complete);
     let (run, running) = queue(&mut m, config, "runs");

@@ -39,6 +39,12 @@ pub fn module(config: &Config) -> Module {
     let begun = m.reg_reset("begun", 1, 0);
     let begun_thread = m.reg("begun_thread", config.thread_bits());
     m.assert("one_begins_at_a_time", !(begun & goes_on) | !numbered.valid);
+    for (name, begins, beginner) in [
+        ("finishes_after_begin", numbered.valid, numbered.record.thread.thread),
+        ("finishes_after_begun", begun.expr(), begun_thread.expr()),
+    ] {
+        m.assert(name, !(begins & finished.valid) | !thread.thread.eq(beginner));
+    }
     m.next(begun, numbered.valid | (begun & goes_on));
     m.next_if(begun_thread, numbered.valid, numbered.record.thread.thread);
     let count_thread = goes_on.mux(thread.thread, begun_thread);

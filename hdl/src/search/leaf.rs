@@ -63,8 +63,8 @@ fn request_points(m: &mut Module, config: &Config) {
     m.next_if(f1_thread, advance, f0_thread);
     let found = table.read_if(m, "f0_found", advance, leaf.record.leaf);
     let Bucket { begin, beats } = Bucket::<Wires>::unpack(config, found).register(m, config, "f1_", advance);
-    let (requests, thread) = (f1_valid & fetch.room, Thread { thread: *f1_thread });
-    fetch.push(m, config, requests, Fetch { thread, address: begin, beats });
+    let thread = Thread { thread: *f1_thread };
+    fetch.push(m, config, f1_valid.expr(), Fetch { thread, address: begin, beats });
 }
 
 /// The unit.

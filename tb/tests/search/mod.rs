@@ -70,9 +70,14 @@ pub fn coordinate(random: &mut fastrand::Rng) -> f32 {
     f32::from(random.i8(-12..=12)) / 4.0
 }
 
-/// A coordinate of which some are on that grid; the others have all the bits of a mantissa.
+/// A coordinate of which some are on that grid; the others have all the bits of a mantissa, and some of an exponent.
 pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
-    if random.u8(..4) == 0 { coordinate(random) } else { 3.0 - 6.0 * random.f32() }
+    let fine = 3.0 - 6.0 * random.f32();
+    match random.u8(..8) {
+        0 | 1 => coordinate(random),
+        2 => fine * f32::powi(2.0, random.i32(-70..70)),
+        _ => fine,
+    }
 }
 
 /// Its multiples have fractions that are spread evenly, and all the bits of a mantissa.

@@ -33,7 +33,16 @@ impl Tree {
         let mut points: Vec<_> = (0..count).map(|_| [(); 3].map(|()| coordinate(random))).collect();
         let mut tree = Self { config: config.clone(), points: vec![], writes: vec![] };
         tree.build(config, random, (1, 0), &mut points);
+        tree.shift(random);
         tree
+    }
+
+    /// Moves all points to somewhere in memory.
+    fn shift(&mut self, random: &mut fastrand::Rng) {
+        let lanes = self.config.lanes as usize;
+        let beats = random.usize(..=(1 << self.config.beat_bits()) - self.points.len() / lanes);
+        self.points.splice(..0, std::iter::repeat_n([f32::NAN; 3], beats * lanes));
+        self.writes.iter_mut().filter(|write| write[0] == 1).for_each(|write| write[5] += beats as u64);
     }
 
     fn build(&mut self, config: &Config, random: &mut fastrand::Rng, node: (u64, u32), points: &mut [[f32; 3]]) {

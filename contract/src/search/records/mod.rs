@@ -31,6 +31,7 @@ pub struct Query {
     pub k: u8,
     /// Squared radius within which neighbors count.
     #[bits(config.geometry.width())]
+    #[below(config.geometry.negative())]
     pub radius2: u32,
     /// Where.
     #[name(AXES[i])]
@@ -53,6 +54,7 @@ pub struct QueryResult {
     pub index: u32,
     /// Its squared distance.
     #[bits(config.geometry.width())]
+    #[below(config.geometry.negative())]
     pub distance2: u32,
 }
 

@@ -60,6 +60,7 @@ pub struct Candidates {
     #[count(config.lanes)]
     #[name(format!("distance{i}"))]
     #[bits(config.geometry.width())]
+    #[below(config.geometry.negative())]
     pub distances: [u32; LANES_MAX],
 }
 
@@ -70,5 +71,6 @@ pub struct Radius {
     pub thread: Thread,
     /// Squared radius.
     #[bits(config.geometry.width())]
+    #[below(config.geometry.negative())]
     pub radius2: u32,
 }
