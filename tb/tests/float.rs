@@ -8,6 +8,8 @@ use pointcore_tb::lockstep::{SEED_VARIABLE, seed};
 const CASES: u64 = 1_050_000;
 /// For their flushing variants and other choices.
 const FEWER_CASES: u64 = 200_000;
+/// For what is seen in any operands.
+const FEWEST_CASES: u64 = 50_000;
 
 fn agree(format: Format, stages: Stages, enable: Enable, cases: u64) {
     let seed = seed().expect("POINTCORE_SEED is a number");
@@ -44,22 +46,24 @@ fn bf16_operators_agree() {
 
 #[test]
 fn f32_flushing_operators_agree() {
-    agree(Format::F32.flushed(), Stages::Default, Enable::Always, FEWER_CASES);
+    agree(Format::F32.flushed(), Stages::Default, Enable::Random, FEWER_CASES);
 }
 
 #[test]
 fn f24_flushing_operators_agree() {
-    agree(Format::F24.flushed(), Stages::Default, Enable::Always, FEWER_CASES);
+    agree(Format::F24.flushed(), Stages::Default, Enable::Random, FEWER_CASES);
 }
 
 #[test]
 fn f16_flushing_operators_agree() {
-    agree(Format::F16.flushed(), Stages::Default, Enable::Always, FEWER_CASES);
+    agree(Format::F16.flushed(), Stages::Default, Enable::Random, FEWER_CASES);
 }
 
 #[test]
 fn operators_hold_while_disabled() {
-    agree(Format::F16, Stages::Default, Enable::Random, FEWER_CASES);
+    for format in [Format::F32, Format::F24, Format::F16, Format::BF16] {
+        agree(format, Stages::Default, Enable::Random, FEWEST_CASES);
+    }
 }
 
 #[test]

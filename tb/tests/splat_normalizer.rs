@@ -10,7 +10,7 @@ use pointcore_hdl::splat::normalizer;
 
 use crate::splat::{Device, configs, fixed_configs, knobs, scene};
 
-const PIXELS: u64 = 2000;
+const PIXELS: u64 = 10_000;
 
 /// A sum of attributes whose weights are `weight` together: in floating point between −8 and 8 times it, in fixed point up to its negative and
 /// a little beyond one.

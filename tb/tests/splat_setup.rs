@@ -8,7 +8,7 @@ use pointcore_hdl::splat::setup;
 
 use crate::splat::{Device, configs, integer_configs, knobs, scene};
 
-const SPLATS: usize = 1500;
+const SPLATS: usize = 3000;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {

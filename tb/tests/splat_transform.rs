@@ -8,7 +8,7 @@ use pointcore_hdl::splat::transform;
 
 use crate::splat::{Device, configs, fixed_configs, scene};
 
-const SPLATS: usize = 1500;
+const SPLATS: usize = 4000;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {

@@ -8,12 +8,12 @@ use pointcore_hdl::splat::weighting;
 
 use crate::splat::{Device, configs, fixed_configs, scene};
 
-const SAMPLES: usize = 2000;
+const SAMPLES: usize = 8000;
 
 /// Samples of splats, and some whose fields are noise: numbers of every size, infinities, no numbers.
 fn samples(config: &Config) -> Vec<Sample> {
     let mut random = scene::random();
-    let mut samples = scene::samples(config, 300);
+    let mut samples = scene::samples(config, SAMPLES / 7);
     samples.truncate(SAMPLES);
     samples.extend((0..SAMPLES / 4).map(|_| scene::noise::<Sample>(config, &mut random)));
     samples
