@@ -27,6 +27,9 @@ const ABC: &str = "yosys-abc";
 /// Bits of a memory that is taken for registers.
 const LARGEST_MEMORY_BITS: u32 = 2048;
 
+/// What the names of floating-point operators begin with.
+const OPERATORS: &str = "float_";
+
 /// Cycles within which a difference is sought at first.
 const SOON: u32 = 12;
 
@@ -55,7 +58,7 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
-/// with what is in it but large memories, unless that is large; then what surrounds it, which may hide the difference or
+/// with what is in it but large memories and operators, unless that is large; then what surrounds it, which may hide the difference or
 /// keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
@@ -76,9 +79,10 @@ struct Prover<'a> {
     modules: Modules<'a>,
 }
 
-/// A memory of more bits than that is a flood of registers to the prover.
-fn is_large_memory(instance: &Instance<'_>) -> bool {
-    instance.memory_size().is_some_and(|[width, depth]| width * depth > LARGEST_MEMORY_BITS)
+/// What the prover comes to no end with: a memory of more bits than that is a flood of registers, and operators compute.
+fn is_hard(instance: &Instance<'_>) -> bool {
+    let is_large_memory = |[width, depth]: [u32; 2]| width * depth > LARGEST_MEMORY_BITS;
+    instance.of.starts_with(OPERATORS) || instance.memory_size().is_some_and(is_large_memory)
 }
 
 /// What the text calls a module: of one with parameters, yosys' name ends with it.
@@ -99,10 +103,10 @@ impl Prover<'_> {
         let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
         let mutated: BTreeSet<&str> = mutated.map(|inner| inner.of).collect();
         let within = modules.within(name, is_core);
-        let memories = within.iter().flat_map(|module| modules.inside(module)).filter(is_large_memory);
+        let hard = within.iter().flat_map(|module| modules.inside(module)).filter(is_hard);
         let inside: Vec<&str> = inside.iter().map(|inner| inner.of).collect();
         let cores = inside.iter().copied().filter(|inner| is_core(inner));
-        let whole = cores.chain(memories.map(|memory| memory.of)).filter(|inner| *inner != self.mutated).collect();
+        let whole = cores.chain(hard.map(|inner| inner.of)).filter(|inner| *inner != self.mutated).collect();
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let mut proof = self.compare(module, &open)?;
