@@ -10,7 +10,7 @@ use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, St
 
 use crate::splat::{Device, scene};
 
-const ENTRIES: usize = 3000;
+const ENTRIES: usize = 8000;
 const SEEDS: u64 = 12;
 
 /// Sends entries whose pointers come again when they have left.

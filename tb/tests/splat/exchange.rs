@@ -19,8 +19,8 @@ use super::{Device, scene};
 
 /// Samples that may wait before the accumulator: enough for a slot to reach its limit of copies under way.
 const SAMPLES_WAITING: usize = 2000;
-/// Normalized depths of three surfaces, and the distance within which samples blend.
-const SURFACES: [u32; 3] = [0x40_0000, 0x80_0000, 0xc0_0000];
+/// Normalized depths of surfaces, and the distance within which samples blend.
+const SURFACES: [u32; 4] = [0x40_0000, 0x80_0000, 0x9e_3779, 0xc0_0000];
 const EPSILON: u32 = 0x1_0000;
 /// More than half of `f16`'s largest number, for attributes.
 const HALF_OF_LARGEST: f32 = 40_000.0;
@@ -75,7 +75,7 @@ fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
     let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
     let mut copies = VecDeque::new();
-    for (frame, count) in [600, 300, 0, 150].into_iter().enumerate() {
+    for (frame, count) in [1500, 600, 0, 300].into_iter().enumerate() {
         for number in 0..=count {
             let mut copy: TileCopy = noise(config, random);
             copy.end = number == count;
@@ -132,7 +132,7 @@ impl Exchange {
         copy.map(|TileCopy { end, tile, splat, .. }| ArrivedCopy { end, tile, splat })
     }
 
-    /// Some samples of a copy on few pixels, of three surfaces; the last one closes it.
+    /// Some samples of a copy on few pixels, of a few surfaces; the last one closes it.
     fn sample(&mut self, placed: &PlacedCopy) {
         let count = self.random.usize(1..6);
         let first = self.random.u8(..);
@@ -145,7 +145,8 @@ impl Exchange {
             let last = number == count;
             sample.place = SamplePlace { last, inside, slot: placed.slot, pixel, weight };
             let surface = SURFACES[random.usize(0..SURFACES.len())];
-            let (depth, [low, high]) = if random.u8(0..3) == 0 {
+            // The depth of some pixels is that of a surface, whatever they have blended.
+            let (depth, [low, high]) = if pixel.is_multiple_of(4) || random.u8(0..3) == 0 {
                 // The surface itself, and limits that differ from it in one bit each.
                 (surface, [(); 2].map(|()| surface ^ 1 << random.u32(0..DEPTH_BITS)))
             } else {
