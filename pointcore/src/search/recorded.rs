@@ -4,7 +4,7 @@ use super::SearchError;
 use super::generate::SearchCore;
 use crate::recording::Recording;
 use crate::stimuli::pace::Paces;
-use crate::stimuli::searcher::{Answers, Bounds, STREAMS, Script, Searcher};
+use crate::stimuli::searcher::{Answers, BEAT, Bounds, FETCH, QUERY, RESULT, STREAMS, Script, Searcher};
 use crate::stimuli::surroundings::Surroundings;
 use fastrand::Rng;
 use pointcore_contract::count;
@@ -17,8 +17,10 @@ use pointcore_tb::lockstep::{Flow, Stimulus};
 const RUNS: u64 = 80;
 /// How much there is in a run.
 const BOUNDS: Bounds = Bounds { searches: 2, points: 60, queries: 8, latency_cycles: 20, reset_cycles: 2000 };
-/// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill.
+/// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill. In another one
+/// a stream hardly moves, too, and what is before it fills.
 const BUSY_EVERY: u64 = 4;
+const NARROW: [usize; 4] = [FETCH, RESULT, BEAT, QUERY];
 const BUSY: Bounds = Bounds { points: 200, queries: 16, ..BOUNDS };
 const AT_ONCE: Answers = Answers { latency: 1, window: 1 };
 /// Cycles without a transfer after which the model is stuck: streams are held for hundreds.
@@ -36,12 +38,15 @@ pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchErr
     let mut recording = Recording::new(list);
     for seed in 0..RUNS {
         let mut random = Rng::with_seed(seed);
+        let free = || Paces::in_turns(STREAMS, None);
+        let busy = |random: &mut Rng, paces| Script { paces, answers: AT_ONCE, ..Script::random(config, BUSY, random) };
         let script = match seed % BUSY_EVERY {
-            0 => Script {
-                paces: Paces::in_turns(STREAMS, None),
-                answers: AT_ONCE,
-                ..Script::random(config, BUSY, &mut random)
-            },
+            0 => busy(&mut random, free()),
+            1 => {
+                let narrow = NARROW[(seed / BUSY_EVERY) as usize % NARROW.len()];
+                let paces = free().hardly(narrow, &mut random);
+                busy(&mut random, paces)
+            }
             _ => Script::random(config, BOUNDS, &mut random),
         };
         let mut host = Searcher::new(config, script, None, QUIET_CYCLES, random);

@@ -13,14 +13,20 @@ use pointcore_tb::lockstep::{Flow, Stimulus};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// Streams that can be held back, and their places among the paces.
-const QUERY: usize = 0;
-const BEAT: usize = 1;
-const RECORD: usize = 2;
-const FETCH: usize = 3;
-const LOOKUP: usize = 4;
-const RESULT: usize = 5;
-const TREE: usize = 6;
+/// Streams that can be held back, by their places among the paces: queries.
+pub const QUERY: usize = 0;
+/// Points.
+pub const BEAT: usize = 1;
+/// Records of the tree.
+pub const RECORD: usize = 2;
+/// Requests for points.
+pub const FETCH: usize = 3;
+/// Requests for records.
+pub const LOOKUP: usize = 4;
+/// Neighbors.
+pub const RESULT: usize = 5;
+/// Writes to the tree.
+pub const TREE: usize = 6;
 /// How many they are.
 pub const STREAMS: usize = 7;
 /// Requests among which memory chooses, at most.

@@ -58,7 +58,7 @@ fn coordinate(config: &Config, spread: Spread, random: &mut Rng) -> u32 {
         _ if random.u16(..400) == 0 => one_of(random, &ODD),
         Spread::Grid => f32::from(random.i8(-12..=12)) / 4.0,
         Spread::Fine => 3.0 * signed(random),
-        Spread::Wild => signed(random) * (60.0 * signed(random)).exp2(),
+        Spread::Wild => signed(random) * (70.0 * signed(random)).exp2(),
         Spread::Same => 0.75,
     };
     encode(config.geometry, number)
