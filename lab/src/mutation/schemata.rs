@@ -14,8 +14,9 @@ const CHOICE_BITS: u32 = 16;
 /// What brings a design to the netlist whose bits are mutated. Names of cells follow from it.
 pub const NETLIST: &str = "proc\nopt_expr -keepdc\nopt_clean\n";
 
-/// What is left as it is: the initial contents of memories, which have to be constant. Tables are mutated where they are read.
-const CONSTANT: &str = "t:$meminit t:$meminit_v2 %u";
+/// What is left as it is: the initial contents of memories, and when they are read, have to be constant. What goes into a read and
+/// what comes out is mutated at the cells around it.
+const CONSTANT: &str = "t:$meminit t:$meminit_v2 t:$memrd t:$memrd_v2 %u %u %u";
 
 /// Warnings that a netlist written as Verilog earns: it is wide where it need not be, and mutants confuse bits of a word.
 const LINT: &str = "WIDTH UNUSED UNDRIVEN UNOPTFLAT PINMISSING CASEINCOMPLETE CASEOVERLAP CMPCONST UNSIGNED \
