@@ -75,7 +75,7 @@ impl Queries {
 }
 
 impl Rule for Queries {
-    const SEEDS: u64 = 6;
+    const SEEDS: u64 = 12;
 
     fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
         if stream == "sums" {

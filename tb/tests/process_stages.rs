@@ -22,7 +22,7 @@ struct Threads {
 }
 
 impl Rule for Threads {
-    const SEEDS: u64 = 8;
+    const SEEDS: u64 = 40;
 
     fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
         let threads = if stream == "in" { &mut self.entered } else { &mut self.left };

@@ -56,7 +56,7 @@ impl Visits {
 }
 
 impl Rule for Visits {
-    const SEEDS: u64 = 10;
+    const SEEDS: u64 = 20;
 
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {

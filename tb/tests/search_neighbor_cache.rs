@@ -212,7 +212,7 @@ impl Surroundings {
 }
 
 impl Rule for Surroundings {
-    const SEEDS: u64 = 10;
+    const SEEDS: u64 = 30;
 
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {

@@ -77,6 +77,8 @@ fn answer(config: &Config, seed: u64, feeds: &mut Feeds, request: &[u64]) {
 }
 
 impl Rule for Requests {
+    const SEEDS: u64 = 120;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         let (config, seed) = (&self.config, self.seed);
         match stream {

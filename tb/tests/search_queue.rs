@@ -63,6 +63,8 @@ impl Searches {
 }
 
 impl Rule for Searches {
+    const SEEDS: u64 = 120;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "start" => self.leaf(feeds, fields[0]),

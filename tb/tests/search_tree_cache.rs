@@ -79,6 +79,8 @@ fn close(open: &mut Vec<[u64; 2]>, matches: impl Fn(&[u64; 2]) -> bool) {
 }
 
 impl Rule for Requests {
+    const SEEDS: u64 = 160;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         let (config, seed) = (&self.config, self.seed);
         match stream {

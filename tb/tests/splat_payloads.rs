@@ -11,7 +11,7 @@ use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, St
 use crate::splat::{Device, configs, scene};
 
 const SPLATS: u32 = 400;
-const SEEDS: u64 = 6;
+const SEEDS: u64 = 12;
 
 /// Sends copies in, and those that come out in another order back in.
 #[derive(Clone)]

@@ -7,7 +7,7 @@ use pointcore_hdl::splat::splitter;
 
 use crate::splat::{Device, configs, scene};
 
-const SPLATS: u64 = 4000;
+const SPLATS: u64 = 16_000;
 
 /// Fields of noise with a rectangle within the image: mostly a small one, sometimes one of any size; and an octagon in it, or noise for one.
 fn splats(config: &Config) -> Vec<SetupSplat> {
