@@ -15,7 +15,7 @@ use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, seeds};
 
 use crate::splat::{Device, RUNS, configs, scene, stalls};
 
-const SPLATS: usize = 400;
+const SPLATS: usize = 1200;
 
 /// The model with its copies and its memory: what it sees, the hardware sees.
 #[derive(Clone)]
@@ -47,8 +47,10 @@ impl Loop {
             begun |= is_here;
             is_here.then_some(copy)
         };
-        let copies: VecDeque<_> = scene::copies(config, SPLATS).into_iter().filter_map(here).collect();
         let mut random = fastrand::Rng::with_seed(seed);
+        let mut copies = scene::copies(config, SPLATS);
+        scene::touch(config, &mut copies, 2, &mut random);
+        let copies: VecDeque<_> = copies.into_iter().filter_map(here).collect();
         Self {
             config: config.clone(),
             lane,

@@ -4,9 +4,9 @@ use fastrand::Rng;
 use pointcore::number::encode_attribute;
 use pointcore::splat::END;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
-    Attributes, CompleteCopy, EpsilonScale, ModelView, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
+    Attributes, Band, CompleteCopy, EpsilonScale, ModelView, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
 };
 use pointcore_contract::splat::units::{rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
@@ -17,6 +17,8 @@ use super::{Travels, through};
 
 /// Splats between two end records.
 const FRAME: usize = 120;
+/// The depth that some splats share.
+const SURFACE: u32 = 0x9e_3779;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
 
@@ -154,6 +156,21 @@ pub fn tiles(config: &Config) -> Vec<u32> {
 pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
     let see = |input| splitter::In { input, out_ready: true };
     through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
+}
+
+/// Gives one splat in `one_in` the depth of the same surface, and limits that differ from it in one bit each, where a splat has these.
+pub fn touch(config: &Config, copies: &mut [SplatCopy], one_in: u32, random: &mut Rng) {
+    if config.has_depth_plane() {
+        return;
+    }
+    for splat in copies.chunk_by_mut(|_, next| !next.first) {
+        if random.u32(0..one_in) > 0 {
+            continue;
+        }
+        let [a, b] = [(); 2].map(|()| SURFACE ^ 1 << random.u32(0..DEPTH_BITS));
+        let band = Band { depth: SURFACE, low: a.min(b), high: a.max(b) };
+        splat.iter_mut().for_each(|copy| copy.footprint.band = band);
+    }
 }
 
 /// Copies with slots and payloads.
