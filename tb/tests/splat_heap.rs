@@ -63,7 +63,7 @@ fn it_agrees_with_the_model_at_every_size() {
 
 /// Levels and cycles of an operation of heaps that are filled.
 const FILLED: [(u32, u32); 8] = [(3, 2), (4, 4), (5, 2), (7, 4), (10, 2), (10, 4), (12, 2), (12, 4)];
-/// Entries that take the places of others in a full heap.
+/// Entries that take the places of others in a full heap, at least; so many that their numbers begin anew.
 const REPLACED: usize = 10_000;
 /// Cycles in which a full heap takes nothing, to be sure that it is full: more than an operation takes.
 const FULL_CYCLES: u32 = 16;
@@ -128,12 +128,13 @@ fn heaps_are_filled_to_the_brim_and_emptied() {
         let config = Config { heap_levels, heap_interval, width: 61, height: 37, ..Config::default() };
         let capacity = config.heap_capacity() as usize;
         let sequence_bits = config.sequence_bits();
+        let replaced = REPLACED.max(1 << sequence_bits);
         let device = Device::new(&config, &heap::numbered(&config, sequence_bits), &units::heap::UNIT);
         let streams = Streams::of(device.library());
         let stream = |name| streams.get(name).expect("a heap has it").clone();
         for seed in seeds(2).expect("POINTCORE_SEED is a number") {
             let mut random = fastrand::Rng::with_seed(seed);
-            let entries = entries(&config, capacity + BEHIND + REPLACED, &mut random);
+            let entries = entries(&config, capacity + BEHIND + replaced, &mut random);
             let brim = Brim {
                 input: stream("in"),
                 out: stream("out"),
