@@ -113,11 +113,17 @@ impl Border {
             format!("({offered}{} != {})", shown(gold, name), shown(gate, name))
         };
         let differences: Vec<_> = of(Direction::Output).map(|port| difference(&port.name)).collect();
-        _ = writeln!(text, "assign differ = {};", differences.join(" || "));
+        let running = if self.is_reset() { "!rst && " } else { "" };
+        _ = writeln!(text, "assign differ = {running}({});", differences.join(" || "));
         if self.ports.iter().any(|port| port.name == "clk") {
             streams(Direction::Input).enumerate().for_each(|(place, stream)| text += &self.held(place, stream));
         }
         text + "endmodule\n"
+    }
+
+    /// It has a reset, while which nothing counts: what comes in is anything then.
+    fn is_reset(&self) -> bool {
+        self.ports.iter().any(|port| port.name == RESET)
     }
 
     /// What comes in on a stream holds until it is taken.
@@ -127,7 +133,7 @@ impl Border {
         let names = fields.iter().map(|field| escaped(field));
         let item = format!("{{{}}}", [flag.clone()].into_iter().chain(names).collect::<Vec<_>>().join(", "));
         let bits: u32 = self.ports.iter().filter(|port| fields.contains(&port.name)).map(|port| port.width).sum();
-        let in_reset = if self.ports.iter().any(|port| port.name == RESET) { " && !rst" } else { "" };
+        let in_reset = if self.is_reset() { " && !rst" } else { "" };
         format!(
             "reg waits_{place} = 0;\nreg [{bits}:0] item_{place};\nalways @(posedge clk) begin\n    \
              waits_{place} <= {flag} && !{ready}{in_reset};\n    item_{place} <= {item};\nend\n\
@@ -173,8 +179,8 @@ mod tests {
     #[test]
     fn fields_count_while_they_are_offered_and_what_waits_is_held() {
         let text = Border::from(&interface()).side_by_side();
-        let difference = "assign differ = (gold_in_ready != gate_in_ready) || (gold_out_valid != gate_out_valid) || \
-            (gold_out_valid && gold_out_x != gate_out_x);";
+        let difference = "assign differ = !rst && ((gold_in_ready != gate_in_ready) || \
+            (gold_out_valid != gate_out_valid) || (gold_out_valid && gold_out_x != gate_out_x));";
         assert!(text.contains(difference), "{text}");
         assert!(
             text.contains("gate gate(.clk(clk), .rst(rst), .in_valid(in_valid), .in_x(in_x), .in_ready(gate_in_ready)")

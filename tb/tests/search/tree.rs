@@ -4,6 +4,9 @@ use pointcore_contract::search::Config;
 
 use crate::search::{coordinate, fine_coordinate, number, word};
 
+/// Points of a tree; they fill the leaves of the smallest.
+const MOST_POINTS: u32 = 128;
+
 /// Points in the order of the memory, and the writes that set up the core's tables.
 #[derive(Clone)]
 pub struct Tree {
@@ -28,8 +31,8 @@ impl Tree {
 
     /// The same over points with coordinates of a kind.
     pub fn over(coordinate: fn(&mut fastrand::Rng) -> f32, config: &Config, random: &mut fastrand::Rng) -> Self {
-        let most = (config.bucket << config.tree_depth) * 3 / 4;
-        let count = random.u32(1..=most.min(100));
+        let most = (config.bucket << config.tree_depth).min(MOST_POINTS);
+        let count = if random.bool() { most } else { random.u32(1..=most) };
         let mut points: Vec<_> = (0..count).map(|_| [(); 3].map(|()| coordinate(random))).collect();
         let mut tree = Self { config: config.clone(), points: vec![], writes: vec![] };
         tree.build(config, random, (1, 0), &mut points);
