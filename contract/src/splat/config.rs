@@ -355,10 +355,10 @@ impl Config {
         self.heap_levels + ARRIVALS_BEYOND_HEAP_BITS
     }
 
-    /// Tiles whose lists give a copy each in turn: one slot at least is left to load.
+    /// Tiles whose lists give a copy each in turn: one slot at least is left to load, and no list is empty.
     #[must_use]
-    pub const fn turns(&self) -> u32 {
-        if self.tiles_in_turn < self.tile_slots { self.tiles_in_turn } else { self.tile_slots - 1 }
+    pub fn turns(&self) -> u32 {
+        self.tiles_in_turn.min(self.tile_slots - 1).min(self.pointers())
     }
 
     /// Splats whose payload is held at a time.
