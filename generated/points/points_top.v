@@ -2446,9 +2446,17 @@ module process_output (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         one_begins_at_a_time: assert (~begun_and_goes_on | ~numbered_valid);
+        finishes_after_begin: assert (~(numbered_valid & finished_valid) | ~(finished_thread == numbered_thread));
+        finishes_after_begun: assert (~(begun & finished_valid) | ~(finished_thread == begun_thread));
 `else
         if (!(~begun_and_goes_on | ~numbered_valid)) begin
             $display("assertion failed: one_begins_at_a_time in %m"); $stop;
+        end
+        if (!(~(numbered_valid & finished_valid) | ~(finished_thread == numbered_thread))) begin
+            $display("assertion failed: finishes_after_begin in %m"); $stop;
+        end
+        if (!(~(begun & finished_valid) | ~(finished_thread == begun_thread))) begin
+            $display("assertion failed: finishes_after_begun in %m"); $stop;
         end
 `endif
     end
@@ -5431,6 +5439,7 @@ module process_control (
 `ifdef FORMAL
         free_has_room: assert (~released_valid | free_in_ready);
         wants_has_room: assert (~searched_or_entering_valid | wants_in_ready);
+        finds_nothing_in_final: assert (~(again_valid & found_queue_out_valid) | ~(found_queue_out_thread == again_thread));
         runs_has_room: assert (~prepared_valid | runs_in_ready);
         readies_has_room: assert (~is_ready | readies_in_ready);
 `else
@@ -5439,6 +5448,9 @@ module process_control (
         end
         if (!(~searched_or_entering_valid | wants_in_ready)) begin
             $display("assertion failed: wants_has_room in %m"); $stop;
+        end
+        if (!(~(again_valid & found_queue_out_valid) | ~(found_queue_out_thread == again_thread))) begin
+            $display("assertion failed: finds_nothing_in_final in %m"); $stop;
         end
         if (!(~prepared_valid | runs_in_ready)) begin
             $display("assertion failed: runs_has_room in %m"); $stop;
@@ -5987,6 +5999,18 @@ module search_top (
         .fill_y2(beat_y2), .fill_z2(beat_z2), .fill_x3(beat_x3), .fill_y3(beat_y3), .fill_z3(beat_z3),
         .event_point_hit(event_point_hit), .event_point_miss(event_point_miss)
     );
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
+`else
+        if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Keeps the points of leaves in front of the memory.
@@ -7069,10 +7093,30 @@ module search_queue (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
+        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
+        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
+        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
+        end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
@@ -7271,6 +7315,38 @@ module search_sieve (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, radius2_shifted[15:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
+        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
+        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
+        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.
@@ -7497,7 +7573,7 @@ module search_leaf (
     );
 
     stream_skid_w29 fetch_queue (
-        .clk(clk), .rst(rst), .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(f1_valid), .in_ready(fetch_queue_in_ready),
         .in_data({f1_thread, f1_begin, f1_beats}),
         .out_valid(fetch_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
@@ -7568,9 +7644,13 @@ module search_leaf (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         no_leaf_is_looked_up_while_one_is_written: assert (~(writes_leaf & leaf_queue_out_valid));
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
 `else
         if (!(~(writes_leaf & leaf_queue_out_valid))) begin
             $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m"); $stop;
+        end
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
         end
 `endif
     end
@@ -8179,6 +8259,22 @@ module search_recursion (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue of two in registers.
@@ -8324,9 +8420,13 @@ module search_stack (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        push_distance2_in_range: assert (~push_valid | (push_distance2 < 32'h80000000));
         stack_has_room: assert (~push_valid | (push_depth < 4'd14));
         one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
+        if (!(~push_valid | (push_distance2 < 32'h80000000))) begin
+            $display("assertion failed: push_distance2_in_range in %m"); $stop;
+        end
         if (!(~push_valid | (push_depth < 4'd14))) begin
             $display("assertion failed: stack_has_room in %m"); $stop;
         end
@@ -8519,6 +8619,18 @@ module search_traversal (
         1'b0, leaf_queue_in_data_choice_4[14], s_node[14], start_k, start_number, start_radius2, tree_beats,
         tree_begin
     };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -9136,8 +9248,12 @@ module search_threads (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
 `else
+        if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
         end

@@ -204,6 +204,18 @@ module search_top (
         .result_distance2(result_distance2),
         .event_beat(event_beat), .event_insert_wait(event_insert_wait)
     );
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 24'h800000));
+`else
+        if (!(~query_valid | (query_radius2 < 24'h800000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // A sorted row of neighbors for each thread.
@@ -539,10 +551,18 @@ module search_queue (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 24'h800000));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
+        if (!(~start_valid | (start_radius2 < 24'h800000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 24'h800000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
@@ -697,6 +717,26 @@ module search_sieve (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, radius2_shifted[3:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 24'h800000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 24'h800000));
+`else
+        if (!(~start_valid | (start_radius2 < 24'h800000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 24'h800000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 24'h800000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.
@@ -893,7 +933,7 @@ module search_leaf (
     );
 
     stream_skid_w22 fetch_queue (
-        .clk(clk), .rst(rst), .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(f1_valid), .in_ready(fetch_queue_in_ready),
         .in_data({f1_thread, f1_begin, f1_beats}),
         .out_valid(fetch_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
@@ -948,9 +988,13 @@ module search_leaf (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         no_leaf_is_looked_up_while_one_is_written: assert (~(writes_leaf & leaf_queue_out_valid));
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
 `else
         if (!(~(writes_leaf & leaf_queue_out_valid))) begin
             $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m"); $stop;
+        end
+        if (!(~start_valid | (start_radius2 < 24'h800000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
         end
 `endif
     end
@@ -1335,6 +1379,22 @@ module search_recursion (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[3:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 24'h800000));
+`else
+        if (!(~start_valid | (start_radius2 < 24'h800000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 24'h800000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue of two in registers.
@@ -1437,9 +1497,13 @@ module search_stack (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        push_distance2_in_range: assert (~push_valid | (push_distance2 < 24'h800000));
         stack_has_room: assert (~push_valid | (push_depth < 3'd6));
         one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
+        if (!(~push_valid | (push_distance2 < 24'h800000))) begin
+            $display("assertion failed: push_distance2_in_range in %m"); $stop;
+        end
         if (!(~push_valid | (push_depth < 3'd6))) begin
             $display("assertion failed: stack_has_room in %m"); $stop;
         end
@@ -1631,6 +1695,18 @@ module search_traversal (
         1'b0, leaf_queue_in_data_choice_3[6], s_node[6], start_k, start_number, start_radius2, tree_beats,
         tree_begin
     };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+`else
+        if (!(~start_valid | (start_radius2 < 24'h800000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -2114,8 +2190,12 @@ module search_threads (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 24'h800000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
 `else
+        if (!(~query_valid | (query_radius2 < 24'h800000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
         end

@@ -803,6 +803,18 @@ module bus_packet_out (
             held_cached <= in_cached;
         end
     end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        in_distance2_in_range: assert (~in_valid | (in_distance2 < 32'h80000000));
+`else
+        if (!(~in_valid | (in_distance2 < 32'h80000000))) begin
+            $display("assertion failed: in_distance2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue of two in registers.

@@ -327,6 +327,18 @@ module search_top (
         .fill_y2(beat_y2), .fill_z2(beat_z2), .fill_x3(beat_x3), .fill_y3(beat_y3), .fill_z3(beat_z3),
         .event_point_hit(event_point_hit), .event_point_miss(event_point_miss)
     );
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
+`else
+        if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Keeps the points of leaves in front of the memory.
@@ -1783,10 +1795,30 @@ module search_queue (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
+        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
+        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
+        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
+        end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
@@ -1985,6 +2017,38 @@ module search_sieve (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, radius2_shifted[15:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
+        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
+        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
+        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
+        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
+        end
+        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
+            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.
@@ -2215,6 +2279,18 @@ module search_leaf (
     end
 
     wire _unused = &{1'b0, start_k, start_number, start_radius2};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Squared distances of points to a query.
@@ -2776,6 +2852,22 @@ module search_recursion (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_x, start_y, start_z};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
+            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue of two in registers.
@@ -2921,9 +3013,13 @@ module search_stack (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        push_distance2_in_range: assert (~push_valid | (push_distance2 < 32'h80000000));
         stack_has_room: assert (~push_valid | (push_depth < 5'd20));
         one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
+        if (!(~push_valid | (push_distance2 < 32'h80000000))) begin
+            $display("assertion failed: push_distance2_in_range in %m"); $stop;
+        end
         if (!(~push_valid | (push_depth < 5'd20))) begin
             $display("assertion failed: stack_has_room in %m"); $stop;
         end
@@ -3117,6 +3213,18 @@ module search_traversal (
     end
 
     wire _unused = &{1'b0, leaf_queue_in_data_choice_5[20], s_node[20], start_k, start_number, start_radius2};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+`else
+        if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
+            $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -3595,8 +3703,12 @@ module search_threads (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
 `else
+        if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
+        end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
         end
@@ -4700,6 +4812,8 @@ module search_neighbor_cache (
 `ifdef FORMAL
         a_comparison_has_its_query: assert (~j_valid | |asked_count);
         a_hit_is_present: assert (~hits | present_shifted_by_j_entry[0]);
+        found_distance2_in_range: assert (~found_valid | (found_distance2 < 32'h80000000));
+        query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
         finished_leaders_were_none_before: assert ((finished_leaders & ~unfinished) == 16'd0);
         a_follower_enters_where_none_waits: assert ((follower_enters & waits) == 32'd0);
         a_miss_has_a_ticket: assert (~misses | any_ticket);
@@ -4710,6 +4824,12 @@ module search_neighbor_cache (
         end
         if (!(~hits | present_shifted_by_j_entry[0])) begin
             $display("assertion failed: a_hit_is_present in %m"); $stop;
+        end
+        if (!(~found_valid | (found_distance2 < 32'h80000000))) begin
+            $display("assertion failed: found_distance2_in_range in %m"); $stop;
+        end
+        if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
+            $display("assertion failed: query_radius2_in_range in %m"); $stop;
         end
         if (!((finished_leaders & ~unfinished) == 16'd0)) begin
             $display("assertion failed: finished_leaders_were_none_before in %m"); $stop;
