@@ -14,6 +14,8 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 
 const ACCESSES: usize = 1500;
+/// Cycles of events in one of a test's runs.
+const LONG_CYCLES: u32 = 100_000;
 /// A bit of `control`.
 const START: u32 = 1;
 /// Cycles that a read takes at most.
@@ -154,7 +156,7 @@ impl Host {
             for (name, counter, width) in counted {
                 let events = self.random.u64(..1 << width);
                 self.bench.set(name, events);
-                (0..events).for_each(|_| self.model.event(*counter));
+                self.model.event(*counter, events as u32);
             }
             for (name, error, count) in errors {
                 let errors = if self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
@@ -175,12 +177,27 @@ impl Host {
                 self.model.finish();
             }
         }
+        self.rest(counted, errors);
+    }
+
+    /// Nothing happens.
+    fn rest(&mut self, counted: &[(String, RunCounter, u32)], errors: &[(String, ErrorCounter, u32)]) {
         let inputs = counted.iter().map(|(name, ..)| name).chain(errors.iter().map(|(name, ..)| name));
         inputs.for_each(|name| self.bench.set(name, 0));
         self.bench.set("finished", 0);
         if self.starts_ahead {
             self.bench.set("begun", 0);
         }
+    }
+
+    /// As many events a cycle as there can be, for so long that counters have many of their bits.
+    fn run_on(&mut self, counted: &[(String, RunCounter, u32)]) {
+        for (name, counter, width) in counted {
+            let events = (1 << width) - 1;
+            self.bench.set(name, events.into());
+            self.model.event(*counter, events * LONG_CYCLES);
+        }
+        (0..LONG_CYCLES).for_each(|_| self.step());
     }
 }
 
@@ -223,10 +240,21 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     let settings: Vec<_> =
         map.iter().filter(is_setting).collect();
     let (mut refused, mut runs, mut ahead) = (0, 0, 0);
+    // The run that goes on, and then the registers that are read at once.
+    let mut has_run_on = false;
+    let mut to_read = vec![];
     for access in 0..ACCESSES {
-        host.happens(&counted, &errors);
-        let address = address(map, &mut host.random);
-        if host.random.bool() {
+        if host.model.busy && !has_run_on && access > ACCESSES / 2 {
+            has_run_on = true;
+            host.run_on(&counted);
+            host.rest(&counted, &errors);
+            to_read = map.iter().map(|register| register.address).collect();
+        } else if to_read.is_empty() {
+            host.happens(&counted, &errors);
+        }
+        let next = to_read.pop();
+        let address = next.unwrap_or_else(|| address(map, &mut host.random));
+        if next.is_none() && host.random.bool() {
             let data = value(map, address, &mut host.random);
             let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
             let occupied = host.random.u8(..8) == 0;
@@ -260,6 +288,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     assert_eq!(host.resets, host.model.resets);
     assert_eq!(host.aborts, host.model.aborts);
     let (resets, aborts) = (host.resets, host.aborts);
+    assert!(has_run_on, "a run went on");
     assert!(refused > 100 && runs > 5, "{refused} refused, {runs} runs");
     assert_eq!(ahead > 5, host.starts_ahead, "{ahead} starts in a run");
     assert!(resets > 5 && aborts > 5, "{resets} resets, {aborts} aborts");

@@ -68,11 +68,11 @@ impl Registers {
         *count = count.saturating_add(1);
     }
 
-    /// Something happened in the run; nothing counts outside of one.
-    pub fn event(&mut self, counter: RunCounter) {
+    /// Something happened in the run, so many times; nothing counts outside of one.
+    pub fn event(&mut self, counter: RunCounter, times: u32) {
         if self.busy {
             let count = self.counters.entry(counter).or_default();
-            *count = count.saturating_add(1);
+            *count = count.saturating_add(times);
         }
     }
 
