@@ -3,7 +3,7 @@
 use pointcore_contract::bus::units::packet_out::Ports;
 use pointcore_contract::search::records::CachedResult;
 use pointcore_contract::splat::records::Fragment;
-use pointcore_contract::{Record, Words, fields, read, search, splat};
+use pointcore_contract::{Field, Record, Words, fields, read, search, splat};
 use pointcore_golden::bus::PacketOut;
 use pointcore_hdl::bus::packet_out;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -27,7 +27,11 @@ fn exchange<R: Record<Domain = Words>>(config: &R::Config, stream_bits: u32, see
     let model = PacketOut::<R>::new(config, stream_bits);
     let mut expected = vec![];
     for _ in 0..RECORDS {
-        let record: Vec<u64> = fields::<R>(config).iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
+        let mut word = |field: &Field| {
+            let word = random.u64(..) >> (64 - field.width);
+            field.below.map_or(word, |below| word % below)
+        };
+        let record: Vec<u64> = fields::<R>(config).iter().map(&mut word).collect();
         expected.extend(model.beats(read(config, &record)));
         source.items.push_back(record);
     }

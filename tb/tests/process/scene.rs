@@ -25,7 +25,7 @@ pub fn configs() -> [Config; 4] {
     let farthest = Program::parse("farthest.pasm", FARTHEST).unwrap_or_else(|error| panic!("{error}"));
     [
         config(program("smooth"), 1, 5),
-        config(program("mls"), 3, 1),
+        config(program("mls"), 6, 1),
         Config { format: Format::F24.flushed(), rate: 2, ..config(farthest, 16, 8) },
         config(program("resample"), 7, 64),
     ]
