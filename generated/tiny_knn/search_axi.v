@@ -191,7 +191,7 @@ module search_axi (
         .error(points_error), .misplaced(points_misplaced)
     );
 
-    stream_fifo_d16_w22 fetches (
+    stream_fifo_d4_w22 fetches (
         .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
         .in_data({core_fetch_thread, core_fetch_address, beats}),
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
@@ -349,18 +349,18 @@ module bus_window (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 16
+// depth = 4
 // width = 22
-module stream_fifo_d16_w22 (
+module stream_fifo_d4_w22 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg [4:0] held, waiting;
-    reg [3:0] write_address, read_address;
+    reg [2:0] held, waiting;
+    reg [1:0] write_address, read_address;
     wire [21:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~held[2];
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -368,35 +368,35 @@ module stream_fifo_d16_w22 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(22), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(22), .DEPTH(4)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 5'd0;
-            waiting <= 5'd0;
-            write_address <= 4'd0;
-            read_address <= 4'd0;
+            held <= 3'd0;
+            waiting <= 3'd0;
+            write_address <= 2'd0;
+            read_address <= 2'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            held <= (held + {2'd0, push}) - {2'd0, pop};
+            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 4'd1;
-            if (fetch) read_address <= read_address + 4'd1;
+            if (push) write_address <= write_address + 2'd1;
+            if (fetch) read_address <= read_address + 2'd1;
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd16);
-        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        held_in_range: assert (held <= 3'd4);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
 `else
-        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {4'd0, out_valid}))) begin
+        if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif
@@ -481,7 +481,7 @@ module bus_reader (
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d16_w8 length_queue (
+    stream_fifo_d4_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -574,18 +574,18 @@ module stream_skid_w49 (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 16
+// depth = 4
 // width = 8
-module stream_fifo_d16_w8 (
+module stream_fifo_d4_w8 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
-    reg [4:0] held, waiting;
-    reg [3:0] write_address, read_address;
+    reg [2:0] held, waiting;
+    reg [1:0] write_address, read_address;
     wire [7:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~held[2];
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -593,35 +593,35 @@ module stream_fifo_d16_w8 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(4)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 5'd0;
-            waiting <= 5'd0;
-            write_address <= 4'd0;
-            read_address <= 4'd0;
+            held <= 3'd0;
+            waiting <= 3'd0;
+            write_address <= 2'd0;
+            read_address <= 2'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            held <= (held + {2'd0, push}) - {2'd0, pop};
+            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 4'd1;
-            if (fetch) read_address <= read_address + 4'd1;
+            if (push) write_address <= write_address + 2'd1;
+            if (fetch) read_address <= read_address + 2'd1;
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd16);
-        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        held_in_range: assert (held <= 3'd4);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
 `else
-        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {4'd0, out_valid}))) begin
+        if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
 `endif

@@ -45,7 +45,7 @@ pub fn module<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32)
     limited::<R>(config, memory_bits, records_max, READS_MAX)
 }
 
-/// The unit with so many bursts under way at most (at least 2): few enough for a proof to go through.
+/// The unit with so many bursts under way at most (at least 2): for who asks for no more, and for a proof to go through.
 #[must_use]
 pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32, reads_max: u32) -> Module {
     let ports = Ports::<R>::ALL;

@@ -1,7 +1,7 @@
 //! What a search has in memory, or behind a window: its points and its tree. The search core and the point processor share it.
 
 use pointcore_contract::bus::axi::{ReadMaster, Slave};
-use pointcore_contract::bus::config::TREE_WORD_BITS;
+use pointcore_contract::bus::config::{READS_MAX, TREE_WORD_BITS};
 use pointcore_contract::bus::units::{self, ReadRequest, WindowWrite};
 use pointcore_contract::bus::{Layout, packets};
 use pointcore_contract::search::Config;
@@ -17,8 +17,10 @@ use crate::units::ports::{Flow, Pulse, PulseInPorts, PulseOutPorts, StreamInPort
 use crate::units::wires::{Bundle, Wired, layout};
 use rtl::{Expr, Instance, Module, bit, lit};
 
-/// Requests to memory that may await their answer.
-const REQUESTS_MAX: u32 = 16;
+/// Requests to memory that may await their answer: as many as `threads` may have, of which each may have `each`.
+fn requests(threads: u32, each: u32) -> u32 {
+    (threads * each).clamp(2, READS_MAX)
+}
 
 const POINTS: units::reader::Ports<Points> = units::reader::Ports::ALL;
 const TREE: units::reader::Ports<TreeWord> = units::reader::Ports::ALL;
@@ -93,7 +95,8 @@ impl Search<'_> {
         let Self { config, core, abort, .. } = self;
         let bits = config.bus.memory_bits;
         let most = units::beats_max(config);
-        let reads = m.instance("points", reader::module::<Points>(config, bits, most));
+        let requests = requests(config.threads, config.leaves_in_flight);
+        let reads = m.instance("points", reader::limited::<Points>(config, bits, most, requests));
         export(m, &bits, (reads, POINTS.memory), self.points_bus);
         let mut fetch = self.fetch.of(m, config, core);
         let is_empty = m.wire("is_empty", fetch.record.beats.is_zero());
@@ -102,7 +105,7 @@ impl Search<'_> {
         fetch.record.beats = m.wire("beats", fetch.record.beats | is_empty.zext(config.beats_bits()));
         let stride_bits = Layout::record::<Points>(config).stride(bits).ilog2();
         let address = m.wire("points_address", place(self.points_base, fetch.record.address, stride_bits));
-        let asked = Asked { name: "fetches", address, records: fetch.record.beats, records_max: most };
+        let asked = Asked { name: "fetches", requests, address, records: fetch.record.beats, records_max: most };
         let head = asked.remembered::<Fetch>(m, config, fetch, (reads, POINTS.request));
 
         let record = POINTS.record.of(m, config, reads);
@@ -146,12 +149,13 @@ impl Search<'_> {
     fn tree_memory(self, m: &mut Module) -> TreeSignals {
         let Self { config, core, abort, .. } = self;
         let bits = config.bus.memory_bits;
-        let reads = m.instance("tree", reader::module::<TreeWord>(config, bits, 1));
+        let requests = requests(config.threads, 1);
+        let reads = m.instance("tree", reader::limited::<TreeWord>(config, bits, 1, requests));
         export(m, &bits, (reads, TREE.memory), self.tree_bus);
         let lookup = self.lookup.of(m, config, core);
         let stride_bits = packets::tree_stride(config, bits).ilog2();
         let address = m.wire("tree_address", place(self.tree_base, lookup.record.address, stride_bits));
-        let asked = Asked { name: "lookups", address, records: bit(true), records_max: 1 };
+        let asked = Asked { name: "lookups", requests, address, records: bit(true), records_max: 1 };
         let head = asked.remembered::<Lookup>(m, config, lookup, (reads, TREE.request));
 
         let record = TREE.record.of(m, config, reads);
@@ -170,6 +174,8 @@ impl Search<'_> {
 /// A request of the core's to memory.
 struct Asked {
     name: &'static str,
+    /// How many may await their answer.
+    requests: u32,
     address: Expr,
     records: Expr,
     records_max: u32,
@@ -184,7 +190,7 @@ impl Asked {
         stream: Flow<Wired<R>>,
         (reads, port): (Instance, In<ReadRequest>),
     ) -> Flow<Wired<R>> {
-        let queue = Passage::<R>::place(m, self.name, fifo(REQUESTS_MAX, &layout::<R>(config)));
+        let queue = Passage::<R>::place(m, self.name, fifo(self.requests, &layout::<R>(config)));
         let room = queue.room(m);
         let reader_ready = port.room(m, reads);
         queue.push(m, config, stream.valid & reader_ready, stream.record);
