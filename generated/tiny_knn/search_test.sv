@@ -1,5 +1,5 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 177901 cycles of the bit-exact model at the ports of search_top, in which 5928 items leave the core, and compares every output in every
+// Replays 267699 cycles of the bit-exact model at the ports of search_top, in which 8810 items leave the core, and compares every output in every
 // cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
 // random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
 //
@@ -9,7 +9,7 @@
 module search_test;
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:52942];
+    reg [63:0] words [0:79078];
     reg [356:0] vector = 0;
     reg [356:0] next = 0;
     wire [356:0] found;
@@ -110,7 +110,7 @@ module search_test;
         $readmemh("search_test.hex", words);
         repeat (1) @(negedge clk);
         rst = 1'b0;
-        for (cycle = 0; cycle < 177901 && differences == 0; cycle = cycle + 1) begin
+        for (cycle = 0; cycle < 267699 && differences == 0; cycle = cycle + 1) begin
             advance;
             #4;
             if (found[57] !== vector[57]) differ("query_ready");
@@ -134,7 +134,7 @@ module search_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 177901 cycles, 5928 items, every output as the model's");
+        $display("PASSED: 267699 cycles, 8810 items, every output as the model's");
         $finish;
     end
 endmodule

@@ -29,7 +29,7 @@ fn sum(config: &Config, weight: u64, random: &mut Rng) -> u64 {
     }
 }
 
-/// Weights of every magnitude, depths that go with them, sums of attributes as below and now and then of any bits.
+/// Weights of every magnitude, depths that go with them or are hard to round, sums of attributes as below and now and then of any bits.
 fn pixels(config: &Config) -> Vec<FinishedPixel> {
     let mut random = scene::random();
     let pixel = |index| {
@@ -39,6 +39,12 @@ fn pixels(config: &Config) -> Vec<FinishedPixel> {
         value.weight = (value.weight >> random.u32(0..28)).max(1);
         let weight = u64::from(value.weight);
         value.depth = weight * random.u64(0..1 << DEPTH_BITS);
+        if random.u8(0..4) == 0 {
+            // Halfway between two numbers of fewer bits, or next to that.
+            let below = random.u32(1..40);
+            let next = if random.bool() { 1 << random.u32(0..below) } else { 0 };
+            value.depth = (value.depth >> below << below | 1 << (below - 1)) ^ next;
+        }
         if random.u8(0..8) > 0 {
             value.attributes[..config.continuous as usize].fill_with(|| sum(config, weight, &mut random));
         }

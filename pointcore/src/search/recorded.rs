@@ -14,7 +14,7 @@ use pointcore_golden::unit::{Ported, Unit};
 use pointcore_tb::lockstep::{Flow, Stimulus};
 
 /// Runs, each with a tree of its own: what a fault needs to show comes in one of them.
-const RUNS: u64 = 80;
+const RUNS: u64 = 112;
 /// How much there is in a run.
 const BOUNDS: Bounds = Bounds { searches: 2, points: 60, queries: 8, latency_cycles: 20, reset_cycles: 2000 };
 /// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill. In another one

@@ -13,6 +13,9 @@ use std::collections::{BTreeMap, HashMap};
 
 /// Odd, so that products with it are another order of all numbers; its bits are those of the golden ratio.
 const STEP: u32 = 0x9e37_79b1;
+/// The distance of places where points are close to each other, and the bits in which they differ.
+const CLOSE: f32 = 0.618_034;
+const CLOSE_BITS: u32 = 12;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, f32::MAX, f32::MIN, 1e-40, 1e-25];
 
@@ -30,7 +33,12 @@ enum Spread {
     Wild,
     /// All at one place.
     Same,
+    /// At a few places, but for their last bits.
+    Close,
 }
+
+const SPREADS: [Spread; 7] =
+    [Spread::Grid, Spread::Grid, Spread::Fine, Spread::Wild, Spread::Same, Spread::Close, Spread::Close];
 
 /// A tree and its points in memory.
 #[derive(Clone, Debug)]
@@ -60,6 +68,10 @@ fn coordinate(config: &Config, spread: Spread, random: &mut Rng) -> u32 {
         Spread::Fine => 3.0 * signed(random),
         Spread::Wild => signed(random) * (70.0 * signed(random)).exp2(),
         Spread::Same => 0.75,
+        Spread::Close => {
+            let word = encode(config.geometry, f32::from(random.i8(-2..=2)) * CLOSE);
+            return word ^ random.u32(..) & ((1 << random.u32(0..CLOSE_BITS)) - 1);
+        }
     };
     encode(config.geometry, number)
 }
@@ -68,7 +80,7 @@ impl RandomTree {
     /// A tree of so many points at most, which the configuration's memories and indices hold.
     #[must_use]
     pub fn random(config: &Config, most_points: u32, random: &mut Rng) -> Self {
-        let spread = one_of(random, &[Spread::Grid, Spread::Grid, Spread::Fine, Spread::Wild, Spread::Same]);
+        let spread = one_of(random, &SPREADS);
         // As many as its leaves hold, with room for an uneven division.
         let most = (u64::from(config.bucket) << config.tree_depth) * 3 / 4;
         let mut count = random.u32(1..=most.clamp(1, most_points.into()) as u32);
