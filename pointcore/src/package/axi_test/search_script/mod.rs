@@ -6,7 +6,7 @@ mod runs;
 mod searches;
 mod window;
 
-use super::operations::Pauses;
+use super::operations::{Channel, Pauses};
 use super::registers;
 use super::script::Script;
 use crate::search::SearchError;
@@ -19,6 +19,8 @@ use searches::Searches;
 const SEED: u64 = 1;
 /// Cycles of a reset.
 const RESET_CYCLES: u32 = 5;
+/// Runs with pauses, all different.
+const PAUSING: u32 = 6;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 6;
 
@@ -42,7 +44,8 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     }
     host.enter(0);
     host.run(Pauses::None);
-    host.run(Pauses::Some);
+    (0..PAUSING).for_each(|_| host.run(Pauses::Some));
+    [Channel::Receive, Channel::ReadData].into_iter().for_each(|channel| host.run_narrow(channel));
     host.run_silently();
     host.run_disturbed();
     host.run_spoilt();

@@ -23,6 +23,8 @@ pub const SETTLE_CYCLES: u32 = 300;
 const LONG_RUN_CYCLES: u32 = 70_000;
 /// Queries of a run that lacks others.
 pub const FEW: usize = 3;
+/// A channel hardly moves.
+const HARDLY: u8 = 248;
 /// Nothing but holds a channel back.
 pub const ALWAYS: u8 = 255;
 
@@ -127,9 +129,21 @@ impl<'a> Host<'a> {
         0..self.searches.count()
     }
 
-    /// A whole run, whose queries wait for its start.
+    /// A whole run.
     pub fn run(&mut self, pauses: Pauses) {
         self.control.script.pauses(pauses);
+        self.run_all();
+    }
+
+    /// A whole run in which one channel hardly moves, and what is before it fills.
+    pub fn run_narrow(&mut self, channel: Channel) {
+        self.control.script.pauses(Pauses::None);
+        self.control.script.share(channel, HARDLY);
+        self.run_all();
+    }
+
+    /// A whole run, whose queries wait for its start.
+    fn run_all(&mut self) {
         self.all().for_each(|index| self.send(index));
         self.control.script.wait(SETTLE_CYCLES);
         self.control.script.check_quiet(0);
