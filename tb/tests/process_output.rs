@@ -1,7 +1,5 @@
 //! Output against its model, with queries that are done sooner or later.
 
-use std::cell::Cell;
-
 use pointcore_contract::process::queries::{Finished, Numbered, Outcome};
 use pointcore_contract::process::{Config, stages};
 use pointcore_golden::process::Output;
@@ -35,6 +33,15 @@ struct Queries {
 }
 
 impl Queries {
+    fn begin(config: &Config, feeds: &mut Feeds, count: u64, iterations_max: u64) -> Self {
+        feeds.hold("iterations_max", iterations_max);
+        let threads = vec![(0, 0, false); config.threads as usize];
+        let (config, expected, left_with) = (config.clone(), vec![], vec![]);
+        let mut queries = Self { config, iterations_max, left: count, threads, expected, left_with };
+        (0..queries.config.threads.into()).for_each(|thread| queries.number(feeds, thread));
+        queries
+    }
+
     fn number(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.left > 0 {
             self.left -= 1;
@@ -78,30 +85,43 @@ impl Rule for Queries {
     }
 }
 
+/// The same with one query, which iterates on and on.
+#[derive(Clone)]
+struct Patient(Queries);
+
+impl Rule for Patient {
+    const SEEDS: u64 = 1;
+
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        self.0.transferred(feeds, stream, fields);
+    }
+}
+
 #[test]
 fn queries_leave_when_they_are_done_or_capped() {
     for config in configs() {
-        let runs = Cell::new(0);
         let begin = |feeds: &mut Feeds| {
-            // In the first run there is one query.
-            let is_first = runs.replace(runs.get() + 1) == 0;
-            let few = ITERATIONS_MAX[feeds.random.usize(..ITERATIONS_MAX.len())];
-            let (iterations_max, left) = if is_first { (MANY, 1) } else { (few, QUERIES) };
-            feeds.hold("iterations_max", iterations_max);
-            let threads = vec![(0, 0, false); config.threads as usize];
-            let (expected, left_with) = (vec![], vec![]);
-            let config = config.clone();
-            let mut queries = Queries { config, iterations_max, left, threads, expected, left_with };
-            (0..queries.config.threads.into()).for_each(|thread| queries.number(feeds, thread));
-            queries
+            let iterations_max = ITERATIONS_MAX[feeds.random.usize(..ITERATIONS_MAX.len())];
+            Queries::begin(&config, feeds, QUERIES, iterations_max)
         };
         let (module, model) = (output::module(&config), Output::new(&config));
         lockstep(&config, &module, &model, &stages::output::UNIT, begin, all, |queries, report| {
-            let is_first = queries.iterations_max == MANY;
-            assert_eq!(report.transfers("result"), if is_first { 1 } else { QUERIES });
+            assert_eq!(report.transfers("result"), QUERIES);
             assert_eq!(queries.left_with, queries.expected);
             let capped = queries.expected.iter().filter(|[_, _, capped]| *capped == 1).count() as u64;
-            assert!(capped > 0 && (is_first || capped < QUERIES), "{capped} are capped");
+            assert!(capped > 0 && capped < QUERIES, "{capped} are capped");
+        });
+    }
+}
+
+#[test]
+fn a_query_iterates_as_often_as_a_count_has_bits() {
+    for config in configs() {
+        let begin = |feeds: &mut Feeds| Patient(Queries::begin(&config, feeds, 1, MANY));
+        let (module, model) = (output::module(&config), Output::new(&config));
+        lockstep(&config, &module, &model, &stages::output::UNIT, begin, all, |Patient(queries), _| {
+            assert_eq!(queries.left_with, queries.expected);
+            assert_eq!(queries.left_with.iter().map(|left| left[1..].to_vec()).collect::<Vec<_>>(), [[MANY, 1]]);
         });
     }
 }
