@@ -58,8 +58,8 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
-/// with what is in it but large memories and operators, unless that is large; then what surrounds it, which may hide the difference or
-/// keep it from coming about.
+/// with what is in it but large memories and operators, unless that is large; then what surrounds it, which may hide the
+/// difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
     let module = argument("-module").unwrap_or(&subject.top);
