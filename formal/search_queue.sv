@@ -6,7 +6,7 @@
 // - 1 <= k <= NEIGHBORS;
 // - beats come for busy threads; a thread's `finish` comes once, after `radius` has answered its last beat, which has `last`;
 // - the watched query's number and its point's beat come once.
-// Distances and radii may be anything, and no stream has to hold what it offers.
+// Distances and radii may be anything that is not negative, and no stream has to hold what it offers.
 module proof (input clk);
     `include "sizes.vh"
     localparam LANE_BITS = LANES == 1 ? 1 : $clog2(LANES);
@@ -52,6 +52,8 @@ module proof (input clk);
     always @* begin
         assume (!rst || !(start_valid || candidates_valid || finish_valid));
         assume (start_thread < THREADS && candidates_thread < THREADS && finish_thread < THREADS);
+        assume (!start_radius2[DISTANCE_BITS-1]);
+        assume (!candidates_distance0[DISTANCE_BITS-1] && !candidates_distance1[DISTANCE_BITS-1]);
         assume (!start_valid || !busy[start_thread]);
         assume (!start_valid || (start_k >= 1 && start_k <= NEIGHBORS));
         assume (!fed || (busy[candidates_thread] && !finishing[candidates_thread]));

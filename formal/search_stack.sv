@@ -1,7 +1,7 @@
 // search_stack: every thread has a stack of its own, last in, first out, of DEPTH paths.
 //
 // A symbolic place is tracked: a path pushed there comes back unchanged when that place is popped. Assumed: a thread never
-// holds more than DEPTH paths, and no thread is pushed and popped in one cycle.
+// holds more than DEPTH paths, no thread is pushed and popped in one cycle, and no squared distance is negative.
 module proof (input clk);
     `include "sizes.vh"
 
@@ -31,6 +31,7 @@ module proof (input clk);
 
     always @* if (!rst) begin
         assume (push_thread < THREADS && pop_thread < THREADS);
+        assume (!push_distance2[DISTANCE_BITS-1]);
         assume (!(push_valid && push_count == DEPTH));
         assume (!(push_valid && pop_valid && push_thread == pop_thread));
     end else assume (!push_valid && !pop_valid);

@@ -29,7 +29,7 @@ impl Proof {
 /// A core with threads that compete and a row with a front and an end. Distances and indices have fewer bits than operators
 /// and memories call for: the units proved store and compare them and do nothing else.
 fn small_core() -> Config {
-    let geometry = Format { exponent: 1, mantissa: 0, ..Format::F24.flushed() };
+    let geometry = Format { exponent: 1, mantissa: 1, ..Format::F24.flushed() };
     Config { geometry, threads: 2, neighbors: 2, lanes: 1, tree_depth: 3, index_bits: 2, ..Config::default() }
 }
 
