@@ -86,12 +86,6 @@ impl Format {
         1 + self.exponent + self.mantissa
     }
 
-    /// Negative zero: the words of numbers that are not negative are below.
-    #[must_use]
-    pub const fn negative(self) -> u64 {
-        1 << (self.width() - 1)
-    }
-
     /// Exponent bias.
     #[inline]
     #[must_use]
@@ -127,7 +121,7 @@ impl Format {
         (self.bias() as u64) << self.mantissa
     }
 
-    /// Mask of the sign bit.
+    /// Mask of the sign bit; the words of numbers that are not negative are below.
     #[inline]
     #[must_use]
     pub const fn sign_mask(self) -> u64 {

@@ -35,7 +35,7 @@ impl Batches {
         self.sizes[thread] += count;
         for _ in 0..count {
             // What is kept is not looked at.
-            let distance2 = feeds.random.u64(..self.config.geometry.negative());
+            let distance2 = feeds.random.u64(..self.config.geometry.sign_mask());
             let item = vec![thread as u64, feeds.random.u64(1..1 << self.config.node_bits()), distance2];
             feeds.feed("push", item);
         }

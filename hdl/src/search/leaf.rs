@@ -64,7 +64,7 @@ fn request_points(m: &mut Module, config: &Config) {
     let found = table.read_if(m, "f0_found", advance, leaf.record.leaf);
     let Bucket { begin, beats } = Bucket::<Wires>::unpack(config, found).register(m, config, "f1_", advance);
     let thread = Thread { thread: *f1_thread };
-    fetch.push(m, config, f1_valid.expr(), Fetch { thread, address: begin, beats });
+    fetch.push(m, config, f1_valid, Fetch { thread, address: begin, beats });
 }
 
 /// The unit.

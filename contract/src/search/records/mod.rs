@@ -31,7 +31,7 @@ pub struct Query {
     pub k: u8,
     /// Squared radius within which neighbors count.
     #[bits(config.geometry.width())]
-    #[below(config.geometry.negative())]
+    #[below(config.geometry.sign_mask())]
     pub radius2: u32,
     /// Where.
     #[name(AXES[i])]
@@ -54,7 +54,7 @@ pub struct QueryResult {
     pub index: u32,
     /// Its squared distance.
     #[bits(config.geometry.width())]
-    #[below(config.geometry.negative())]
+    #[below(config.geometry.sign_mask())]
     pub distance2: u32,
 }
 

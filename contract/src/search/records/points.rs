@@ -60,7 +60,7 @@ pub struct Candidates {
     #[count(config.lanes)]
     #[name(format!("distance{i}"))]
     #[bits(config.geometry.width())]
-    #[below(config.geometry.negative())]
+    #[below(config.geometry.sign_mask())]
     pub distances: [u32; LANES_MAX],
 }
 
@@ -71,6 +71,6 @@ pub struct Radius {
     pub thread: Thread,
     /// Squared radius.
     #[bits(config.geometry.width())]
-    #[below(config.geometry.negative())]
+    #[below(config.geometry.sign_mask())]
     pub radius2: u32,
 }

@@ -91,7 +91,7 @@ pub struct Path {
     pub node: u32,
     /// Squared distance of the query to the splitting plane before it.
     #[bits(config.geometry.width())]
-    #[below(config.geometry.negative())]
+    #[below(config.geometry.sign_mask())]
     pub distance2: u32,
 }
 
