@@ -113,7 +113,7 @@ impl Border {
             format!("({offered}{} != {})", shown(gold, name), shown(gate, name))
         };
         let differences: Vec<_> = of(Direction::Output).map(|port| difference(&port.name)).collect();
-        let running = if self.is_reset() { "!rst && " } else { "" };
+        let running = if self.has_reset() { "!rst && " } else { "" };
         _ = writeln!(text, "assign differ = {running}({});", differences.join(" || "));
         if self.ports.iter().any(|port| port.name == "clk") {
             streams(Direction::Input).enumerate().for_each(|(place, stream)| text += &self.held(place, stream));
@@ -122,7 +122,7 @@ impl Border {
     }
 
     /// It has a reset, while which nothing counts: what comes in is anything then.
-    fn is_reset(&self) -> bool {
+    fn has_reset(&self) -> bool {
         self.ports.iter().any(|port| port.name == RESET)
     }
 
@@ -133,7 +133,7 @@ impl Border {
         let names = fields.iter().map(|field| escaped(field));
         let item = format!("{{{}}}", [flag.clone()].into_iter().chain(names).collect::<Vec<_>>().join(", "));
         let bits: u32 = self.ports.iter().filter(|port| fields.contains(&port.name)).map(|port| port.width).sum();
-        let in_reset = if self.is_reset() { " && !rst" } else { "" };
+        let in_reset = if self.has_reset() { " && !rst" } else { "" };
         format!(
             "reg waits_{place} = 0;\nreg [{bits}:0] item_{place};\nalways @(posedge clk) begin\n    \
              waits_{place} <= {flag} && !{ready}{in_reset};\n    item_{place} <= {item};\nend\n\

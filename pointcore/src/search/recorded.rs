@@ -17,9 +17,9 @@ use pointcore_tb::lockstep::{Flow, Stimulus};
 const RUNS: u64 = 112;
 /// How much there is in a run.
 const BOUNDS: Bounds = Bounds { searches: 2, points: 60, queries: 8, latency_cycles: 20, reset_cycles: 2000 };
-/// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill. In another one
-/// a stream hardly moves, too, and what is before it fills.
+/// One of so many runs has more of everything, and a memory that answers at once: queues inside the core fill.
 const BUSY_EVERY: u64 = 4;
+/// One more of as many is so, but for one of these streams, which hardly moves: what is before it fills.
 const NARROW: [usize; 4] = [FETCH, RESULT, BEAT, QUERY];
 const BUSY: Bounds = Bounds { points: 200, queries: 16, ..BOUNDS };
 const AT_ONCE: Answers = Answers { latency: 1, window: 1 };

@@ -37,6 +37,7 @@ enum Spread {
     Close,
 }
 
+/// From which the spread of a tree is drawn.
 const SPREADS: [Spread; 7] =
     [Spread::Grid, Spread::Grid, Spread::Fine, Spread::Wild, Spread::Same, Spread::Close, Spread::Close];
 
