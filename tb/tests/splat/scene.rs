@@ -6,7 +6,8 @@ use pointcore::splat::END;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
-    Attributes, Band, CompleteCopy, EpsilonScale, ModelView, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
+    Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Sample, SetupSplat, Sight, Splat,
+    SplatCopy, Uniforms, Viewport,
 };
 use pointcore_contract::splat::units::{rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
@@ -158,18 +159,39 @@ pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
     through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
-/// Gives one splat in `one_in` the depth of the same surface, and limits that differ from it in one bit each, where a splat has these.
+/// Has one splat in `one_in` touch its limits: [`touching`].
 pub fn touch(config: &Config, copies: &mut [SplatCopy], one_in: u32, random: &mut Rng) {
-    if config.has_depth_plane() {
-        return;
-    }
     for splat in copies.chunk_by_mut(|_, next| !next.first) {
-        if random.u32(0..one_in) > 0 {
-            continue;
+        if random.u32(0..one_in) == 0 {
+            let footprint = touching(config, splat[0].footprint, random);
+            splat.iter_mut().for_each(|copy| copy.footprint = footprint);
         }
-        let [a, b] = [(); 2].map(|()| SURFACE ^ 1 << random.u32(0..DEPTH_BITS));
-        let band = Band { depth: SURFACE, low: a.min(b), high: a.max(b) };
-        splat.iter_mut().for_each(|copy| copy.footprint.band = band);
+    }
+}
+
+/// The same splat with limits of its depth, and of what is seen of it, that differ from these in one bit each. Its depth is that of the
+/// same surface for all such splats; where samples have depths of their own, and `D`, all have those of the centre.
+fn touching(config: &Config, footprint: Footprint, random: &mut Rng) -> Footprint {
+    let format = config.raster_format();
+    let mut limits = |exact: u32, bits: u32| {
+        let [a, b] = [(); 2].map(|()| exact ^ 1 << random.u32(0..bits));
+        [a.min(b), a.max(b)]
+    };
+    let [low, high] = limits(SURFACE, DEPTH_BITS);
+    let range = limits(footprint.plane.center, format.coefficient_width());
+    let delta = footprint.delta;
+    let negative = delta >> (format.delta_width() - 1) != 0;
+    let magnitude = if negative && format.fixed().is_some() { !delta } else { delta };
+    let bits = format.limit_width();
+    let [far, near] = limits(magnitude & (u32::MAX >> (32 - bits)), bits);
+    let [mx, my] = if config.eye_plane.is_on() { [0; 2] } else { [footprint.mx, footprint.my] };
+    Footprint {
+        mx,
+        my,
+        sight: Sight { negative, near, far, turned: false, ..footprint.sight },
+        band: Band { depth: SURFACE, low, high },
+        plane: DepthPlane { slope: [0; 2], range, ..footprint.plane },
+        ..footprint
     }
 }
 
