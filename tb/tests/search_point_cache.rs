@@ -9,9 +9,10 @@ use crate::search::memory::Memory;
 use crate::search::{all, configs, lockstep};
 
 const REQUESTS: u64 = 400;
-const LEAVES: u64 = 24;
-/// Leaves that are asked for again and again.
+const LEAVES: u64 = 96;
+/// Leaves that are asked for again and again, and for how many requests.
 const FAVORITES: u64 = 3;
+const FASHION: u64 = 20;
 
 /// Threads that ask for leaves.
 #[derive(Clone)]
@@ -41,8 +42,8 @@ impl Requests {
     fn ask(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.left > 0 {
             self.left -= 1;
-            let among = [FAVORITES, LEAVES][feeds.random.usize(..2)];
-            let leaf = feeds.random.u64(..among);
+            let favorite = self.left / FASHION * FAVORITES + feeds.random.u64(..FAVORITES);
+            let leaf = [favorite % LEAVES, feeds.random.u64(..LEAVES)][feeds.random.usize(..2)];
             let [address, beats] = self.leaves[leaf as usize];
             let request = vec![thread, address, beats];
             self.open.push(request.clone());
@@ -97,12 +98,12 @@ fn leaves_are_kept_and_replaced_as_in_the_model() {
     for (config, point_cache) in configs().into_iter().zip([2, 4, 8, 64]) {
         let config = Config { point_cache, ..config };
         let begin = |feeds: &mut Feeds| {
-            let mut address = feeds.random.u64(..20);
+            // Over all of memory, so that every slot has some.
             let most = u64::from(config.bucket.div_ceil(config.lanes));
-            let leaves = (0..LEAVES).map(|_| {
+            let room = (1 << config.beat_bits()) / LEAVES;
+            let leaves = (0..LEAVES).map(|leaf| {
                 let beats = feeds.random.u64(1..=most);
-                address += beats;
-                [address - beats, beats]
+                [leaf * room + feeds.random.u64(..=room - beats), beats]
             });
             let mut requests = Requests {
                 config: config.clone(),
