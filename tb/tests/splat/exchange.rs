@@ -70,12 +70,18 @@ pub struct Exchange {
     pub counts: Counts,
 }
 
-/// Frames of copies: one of a single tile, one that wanders over the image, an empty one, and one of random tiles.
+/// Short frames, each of a few tiles: some leave while their last copies still come.
+const SHORT_FRAMES: usize = 60;
+
+/// Frames of copies: one of a single tile, one that wanders over the image, an empty one, one of random tiles, and short ones.
 fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
     let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
+    let short = (0..SHORT_FRAMES).map(|_| random.u32(0..24));
+    let counts: Vec<_> = [1500, 600, 0, 300].into_iter().chain(short).collect();
     let mut copies = VecDeque::new();
-    for (frame, count) in [1500, 600, 0, 300].into_iter().enumerate() {
+    for (frame, count) in counts.into_iter().enumerate() {
+        let corner = random.u32(0..columns * rows);
         for number in 0..=count {
             let mut copy: TileCopy = noise(config, random);
             copy.end = number == count;
@@ -83,7 +89,8 @@ fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
             copy.tile = match frame {
                 0 => tile(3),
                 1 => tile(number / 4 + random.u32(0..3)),
-                _ => tile(random.u32(0..columns * rows)),
+                2 | 3 => tile(random.u32(0..columns * rows)),
+                _ => tile(corner + random.u32(0..9)),
             };
             copies.push_back(copy);
         }
