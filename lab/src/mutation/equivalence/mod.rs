@@ -216,12 +216,13 @@ impl Prover<'_> {
             command.args(["-c", &format!("read_aiger miter.aig; fold; strash; {question}")]).current_dir(folder);
             process::run(command, Duration::from_secs(limit.into()), is_answer)
         };
-        // Most differences show soon. Otherwise registers that hold the same in both are merged; what is left is small.
+        // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
+        // is enough where a difference never gets into one; what is left is small.
         let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
         if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
             return Ok(Proof::Different);
         }
-        Ok(match ask(&format!("scorr; scorr -F 4; pdr -T {seconds}"), 2 * seconds)? {
+        Ok(match ask(&format!("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4; pdr -T {seconds}"), 2 * seconds)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
             Verdict::Failed(_) => Proof::Different,
             Verdict::Passed | Verdict::Stuck => Proof::Open,
