@@ -30,14 +30,22 @@ impl Rule for Threads {
     }
 }
 
-/// Words of a record; those of a float's width have magnitudes that programs can do something with.
+/// Words of a record; those of a float's width have magnitudes that programs can do something with, all of them in most records: a single
+/// one that is out of all proportion hides the others in a sum. Now and then one has a single bit, or none.
 fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
     let format = config.format;
+    let is_wild = random.u8(..4) == 0;
+    let few_bits = random.u8(..4) == 0;
     let mut word = |width: u32| {
         let word = random.u64(..) >> (64 - width);
         let exponent = random.i32(format.bias() - 6..format.bias() + 4) as u64;
-        let is_tame = width == format.width() && random.u8(..8) > 0;
-        if is_tame { word & !format.infinity() | exponent << format.mantissa } else { word }
+        let is_tame = width == format.width() && !(is_wild && random.u8(..8) == 0);
+        match random.u8(..8) {
+            0 if few_bits => 0,
+            1 if few_bits => 1 << random.u32(..width),
+            _ if is_tame => word & !format.infinity() | exponent << format.mantissa,
+            _ => word,
+        }
     };
     fields::<R>(config).into_iter().map(|field| word(field.width)).collect()
 }
