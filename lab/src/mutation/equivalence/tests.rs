@@ -120,6 +120,23 @@ fn what_is_neither_offered_nor_written_does_not_count_inside_either() {
     assert_eq!((stuck(&tolerant, "data"), stuck(&tolerant, "word")), (Proof::Different, Proof::Different));
 }
 
+#[test]
+fn what_an_operator_is_given_counts_where_its_answer_does() {
+    let operator = "module float_neg_s1_f8(input clk, input enable, input [1:0] a, output reg [1:0] y);\n\
+        always @(posedge clk) if (enable) y <= ~a;\nendmodule\n";
+    let top = "module top(input clk, input [1:0] x, output [1:0] z);\nreg phase;\nwire [1:0] idle = x ^ 2'd1;\n\
+        wire [1:0] data = phase ? x : idle;\nwire [1:0] y;\nalways @(posedge clk) phase <= !phase;\n\
+        float_neg_s1_f8 negation (\n.clk(clk), .enable(1'd1), .a(data), .y(y));\nassign z = phase ? 2'd0 : y;\nendmodule\n";
+    let interfaces = vec![
+        interface("float_neg_s1_f8", &[("clk", 1, In), ("enable", 1, In), ("a", 2, In), ("y", 2, Out)], Vec::new()),
+        interface("top", &[("clk", 1, In), ("x", 2, In), ("z", 2, Out)], Vec::new()),
+    ];
+    let subject = Subject { interfaces, ..subject(&format!("{operator}{top}"), "", None, "top") };
+    let Some(yosys) = yosys() else { return };
+    let stuck = |wire: &str| open_proof(&yosys, &subject, &["float_neg_s1_f8"], wire);
+    assert_eq!((stuck("idle"), stuck("data")), (Proof::Equivalent, Proof::Different));
+}
+
 /// A register after each of two comparisons of a number, of which one never holds where that is asserted.
 fn comparisons(asserts: bool) -> Subject {
     let mut m = Module::new("unit", "Sees numbers.");
