@@ -141,6 +141,16 @@ impl Border {
         }));
     }
 
+    /// Whether operators were taken out.
+    pub const fn has_operators(&self) -> bool {
+        !self.operators.is_empty()
+    }
+
+    /// The same where operators are nothing special: what they are given may not differ.
+    pub fn without_operators(&self) -> Self {
+        Self { operators: vec![], ..self.clone() }
+    }
+
     /// The operator whose port this is.
     fn operator(&self, port: &str) -> Option<&Operator> {
         let has = |operator: &&Operator| {

@@ -151,8 +151,21 @@ impl Prover<'_> {
         Some(())
     }
 
-    /// Compares a module of the design with its mutant, whatever the `open` ones in it do.
+    /// Compares a module of the design with its mutant, whatever the `open` ones in it do. The proof is easiest where operators are given the
+    /// same at all times; where they are not, it may be that their answers do not count.
     fn compare(&self, module: &str, open: &BTreeSet<&str>) -> Result<Proof, MutationError> {
+        let border = self.border(plain(module), open);
+        let strictly = self.compare_at(module, open, border.as_ref().map(Border::without_operators).as_ref())?;
+        match border {
+            Some(border) if strictly != Proof::Equivalent && border.has_operators() => {
+                self.compare_at(module, open, Some(&border))
+            }
+            _ => Ok(strictly),
+        }
+    }
+
+    /// Compares them at a border, if it is known.
+    fn compare_at(&self, module: &str, open: &BTreeSet<&str>, border: Option<&Border>) -> Result<Proof, MutationError> {
         let Self { yosys, subject, mutation, seconds, .. } = *self;
         let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
         let folder = scratch.path();
@@ -177,15 +190,14 @@ impl Prover<'_> {
             format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
         };
         let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
-        let border = self.border(plain(module), open);
-        let miter = match &border {
+        let miter = match border {
             Some(_) => format!(
                 "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
                 side_by_side::MODULE
             ),
             None => "miter -equiv -flatten gold gate miter\n".to_owned(),
         };
-        let comparison = border.map_or_else(String::new, |border| border.side_by_side());
+        let comparison = border.map_or_else(String::new, Border::side_by_side);
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
         let script = format!(
