@@ -10,7 +10,7 @@ use pointcore_hdl::splat::normalizer;
 
 use crate::splat::{Device, configs, fixed_configs, knobs, scene};
 
-const PIXELS: u64 = 10_000;
+const PIXELS: u64 = 25_000;
 
 /// A sum of attributes whose weights are `weight` together: in floating point between −8 and 8 times it, in fixed point up to its negative and
 /// a little beyond one.
@@ -22,6 +22,8 @@ fn sum(config: &Config, weight: u64, random: &mut Rng) -> u64 {
             let sum = match random.u8(0..8) {
                 0 => -one,
                 1 => one - random.i64(0..=one >> 6),
+                // Less than the limit by a single bit.
+                2 => one - (one >> random.u32(1..fraction.number().fraction)) - random.i64(0..=one >> fraction.number().fraction),
                 _ => random.i64(-one..=one),
             };
             sum as u64 & (u64::MAX >> (64 - fraction.sum().width))
