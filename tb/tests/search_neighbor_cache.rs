@@ -155,7 +155,10 @@ impl Surroundings {
             Mode::NearestWithin(_) => (0, 1.5, 1.0 / 2.5),
             Mode::Ball => (1, safety, 1.0),
         };
-        feeds.feed("setup", vec![ball, word(&self.config, far_scale), word(&self.config, margin_scale)]);
+        // Smaller ones promise less.
+        let mut somewhat_less = |scale: f32| word(&self.config, scale * (1.0 - feeds.random.f32() / 16.0));
+        let setup = vec![ball, somewhat_less(far_scale), somewhat_less(margin_scale)];
+        feeds.feed("setup", setup);
     }
 
     /// Asks for the neighbors of a point near one of the places.
