@@ -35,7 +35,7 @@ fn host(world: &World, seed: u64) -> PointsHost {
         registers: TOP.registers,
         packets: (TOP.queries, TOP.results),
         reads: reads.collect(),
-        writes: None,
+        writes: vec![],
         window: has_window.then(|| (TOP.window, window_bits(window_index_bits(search)))),
         memory: MEMORY_BYTES,
         memory_order: MemoryOrder::Any,

@@ -30,7 +30,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         registers: TOP.registers,
         packets: (TOP.queries, TOP.results),
         reads: reads.collect(),
-        writes: None,
+        writes: vec![],
         window: has_window.then(|| (TOP.window, window_bits(window_index_bits(config)))),
         memory: MEMORY_BYTES,
         memory_order: MemoryOrder::Any,

@@ -3,23 +3,20 @@
 use pointcore::number;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Config as Widths;
-use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
-use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::PayloadStore;
 use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
 use pointcore_contract::{fields, words};
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
-use crate::bus::host::{Around, Host, MemoryOrder, RESET};
+use crate::bus::host::{Host, MemoryOrder, RESET, around_renderer};
 use crate::splat::{configs, fixed_configs, scene, in_order};
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 250;
-const TOP: Ports = Ports::ALL;
 const BUFFER_BASE: u32 = 0x3000;
-const MEMORY_BYTES: usize = 1 << 20;
 /// Radius of a screen filter that is wider than the others'.
 const WIDE_PX: f32 = 1.7;
 /// A bit of `status`.
@@ -63,19 +60,13 @@ type SplatHost = Host<Splat, Fragment>;
 /// The core with a host and memory around it.
 fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> SplatHost {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-    let around = Around {
-        map: SplatRegisters::registers(config),
-        registers: TOP.registers,
-        packets: (TOP.splats, TOP.fragments),
-        reads: vec![TOP.reads],
-        writes: Some(TOP.writes),
-        window: None,
-        memory: MEMORY_BYTES,
-        memory_order,
-    };
+    let (around, payload_base) = around_renderer(config, BUFFER_BASE, memory_order);
     let mut host = Host::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
     host.write("buffer_base", BUFFER_BASE);
+    if config.has_payloads_in_memory() {
+        host.write("payload_base", payload_base);
+    }
     host
 }
 
@@ -150,7 +141,8 @@ fn aborted_run(host: &mut SplatHost, config: &Config, splats: &[Splat], random: 
 fn frames_on_the_bus_are_those_of_the_model() {
     let widths = [(64, 64), (32, 512), (512, 32), (64, 128), (128, 64)];
     let [bare, ..] = configs();
-    let several = Config { rasterizers: 4, memory_ports: 4, ..bare };
+    let payload = PayloadStore::Memory;
+    let several = Config { rasterizers: 4, memory_ports: 4, payload, payload_beats: 3, ..bare };
     for (config, (stream_bits, memory_bits)) in configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frames = frames(&config);

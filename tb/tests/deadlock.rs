@@ -5,14 +5,13 @@ use std::sync::Arc;
 
 use fastrand::Rng;
 use pointcore::splat::memory::BufferTraffic;
+use pointcore::splat::payload_memory::PayloadTraffic;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore::stimuli::configuration::renderer as random_renderer;
 use pointcore::stimuli::frames::{Lens, frames};
 use pointcore::stimuli::pace::{Paces, Turns};
 use pointcore::stimuli::{renderer, searcher};
 use pointcore_contract::bus::Config as Widths;
-use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
-use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::fields;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
@@ -24,7 +23,7 @@ use pointcore_lab::soak::extent;
 use pointcore_tb::lockstep::seeds;
 use pointcore_tb::verilated::{BuildOptions, Builder};
 
-use crate::bus::host::{Around, Host, MemoryOrder};
+use crate::bus::host::{Host, MemoryOrder, around_renderer};
 
 /// Configurations of each core.
 const CONFIGURATIONS: u64 = 2;
@@ -101,13 +100,14 @@ fn expected(config: &Config, frame: &EncodedFrame) -> (Vec<Fragment>, u64) {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
     let BufferTraffic { pixels_read, pixels_written, .. } = outcome.counters.buffer;
-    let moved = (frame.records.len() + outcome.fragments.len()) as u64 + pixels_read + pixels_written;
+    let PayloadTraffic { words_read, words_written, .. } = outcome.counters.payloads;
+    let packets = (frame.records.len() + outcome.fragments.len()) as u64;
+    let moved = packets + pixels_read + pixels_written + words_read + words_written;
     (outcome.fragments, BUS_SHARE * (outcome.counters.cycles + BEATS * moved))
 }
 
 #[test]
 fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
-    const TOP: Ports = Ports::ALL;
     for seed in seeds(1).unwrap() {
         let random = &mut Rng::with_seed(seed);
         let bus = Widths { stream_bits: 32 << random.u32(..5), memory_bits: 32 << random.u32(..5) };
@@ -125,17 +125,11 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
         crate::splat::in_order(&config, &mut expected);
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
             let top = splat::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-            let around = Around {
-                map: SplatRegisters::registers(&config),
-                registers: TOP.registers,
-                packets: (TOP.splats, TOP.fragments),
-                reads: vec![TOP.reads],
-                writes: Some(TOP.writes),
-                window: None,
-                memory: 1 << 22,
-                memory_order,
-            };
+            let (around, payload_base) = around_renderer(&config, 0, memory_order);
             let mut host = Host::<Splat, Fragment>::new(top.module, &config, config.bus, around, seed);
+            if config.has_payloads_in_memory() {
+                host.write("payload_base", payload_base);
+            }
             for (field, &value) in fields::<Uniforms>(&config).iter().zip(&frame.uniforms) {
                 host.write(&field.name, value as u32);
             }

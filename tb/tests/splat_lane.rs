@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
+use pointcore_contract::splat::config::{PayloadStore, TILE_PIXELS};
+use pointcore_contract::splat::records::{PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::words;
 use pointcore_golden::splat::lane::{In, Lane};
@@ -28,8 +28,11 @@ struct Loop {
     frames: usize,
     tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
     beats: VecDeque<Pixel>,
-    offers: [bool; 2],
-    stalls: [Stalls; 5],
+    /// Words of payloads by place and number, and those that were asked for.
+    words: Vec<PayloadWord>,
+    payloads: VecDeque<PayloadWord>,
+    offers: [bool; 3],
+    stalls: [Stalls; 8],
     places: Vec<usize>,
     random: fastrand::Rng,
     /// Pixels that were read, written and finished.
@@ -59,8 +62,10 @@ impl Loop {
             copies,
             tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; config.buffer_tiles()],
             beats: VecDeque::new(),
-            offers: [false; 2],
-            stalls: [(); 5].map(|()| Stalls::new(stall, random.fork())),
+            words: vec![PayloadWord::default(); (config.splats_held() * config.payload_beats) as usize],
+            payloads: VecDeque::new(),
+            offers: [false; 3],
+            stalls: [(); 8].map(|()| Stalls::new(stall, random.fork())),
             places: device.input_places(),
             random,
             counts: [0; 3],
@@ -69,10 +74,12 @@ impl Loop {
 
     fn step(&mut self) -> In {
         let out = self.lane.outputs();
-        let [copies, data, read_ready, write_ready, pixel_ready] = self.stalls.each_mut().map(|stalls| !stalls.stalled());
+        let [copies, data, read_ready, write_ready, pixel_ready, payload_data, payload_read_ready, payload_write_ready] =
+            self.stalls.each_mut().map(|stalls| !stalls.stalled());
         // An offer once made stands until it is taken.
         self.offers[0] |= copies && !self.copies.is_empty();
         self.offers[1] |= data && !self.beats.is_empty();
+        self.offers[2] |= payload_data && !self.payloads.is_empty();
         let inputs = In {
             input: self.copies.front().copied().filter(|_| self.offers[0]),
             read_ready,
@@ -82,6 +89,9 @@ impl Loop {
             number: self.number,
             frame_sent: self.random.u8(..) == 0,
             filter_scale: scene::registers(&self.config).filter_scale,
+            payload_data: self.payloads.front().copied().filter(|_| self.offers[2]),
+            payload_read_ready,
+            payload_write_ready,
         };
         if self.offers[0] && out.in_ready {
             self.copies.pop_front();
@@ -99,6 +109,17 @@ impl Loop {
         if let Some(StoredPixel { surface, placed }) = out.write.filter(|_| write_ready) {
             self.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] = placed.value;
             self.counts[1] += 1;
+        }
+        let count = self.config.payload_beats as usize;
+        if self.offers[2] && out.payload_data_ready {
+            self.payloads.pop_front();
+            self.offers[2] = false;
+        }
+        if let Some(read) = out.payload_read.filter(|_| payload_read_ready) {
+            self.payloads.extend(&self.words[usize::from(read.splat) * count..][..count]);
+        }
+        if let Some(write) = out.payload_write.filter(|_| payload_write_ready) {
+            self.words[usize::from(write.splat) * count + usize::from(write.word)] = write.value;
         }
         if let Some(finished) = out.pixel.filter(|_| pixel_ready) {
             self.frames -= usize::from(finished.end);
@@ -125,7 +146,8 @@ impl Stimulus for Loop {
 #[test]
 fn it_agrees_with_the_model() {
     let [bare, _, mixed] = configs();
-    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2)] {
+    let in_memory = Config { payload: PayloadStore::Memory, payload_beats: 4, payload_ahead: 5, ..mixed.clone() };
+    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0)] {
         let hardware = lane::lane(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let latency = |unit: &str| hardware.manifests[unit].latency;
         let [rasterizer, weighting] = ["rasterizer", "weighting"].map(latency);

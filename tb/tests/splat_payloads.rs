@@ -1,6 +1,9 @@
 //! `splat_payloads` against its model, in every cycle, with copies that come back in another order.
 
-use pointcore_contract::splat::records::{CompleteCopy, PlacedCopy, SplatCopy, TileCopy};
+use std::collections::{HashMap, VecDeque};
+
+use pointcore_contract::splat::config::PayloadStore;
+use pointcore_contract::splat::records::{CompleteCopy, PayloadWord, PlacedCopy, SplatCopy, StoredWord, TileCopy};
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::{read, words};
 use pointcore_golden::splat::Payloads;
@@ -12,6 +15,35 @@ use crate::splat::{Device, configs, scene};
 
 const SPLATS: u32 = 400;
 const SEEDS: u64 = 12;
+
+/// The memory of payloads, and what is on its way from there.
+#[derive(Clone)]
+struct Memory {
+    write: StreamPorts,
+    data: StreamPorts,
+    /// By place; a payload begins with its first word.
+    words: HashMap<u16, Vec<PayloadWord>>,
+    asked: VecDeque<PayloadWord>,
+    stalls: [Stalls; 2],
+}
+
+impl Memory {
+    fn step(&mut self, config: &Config, outputs: &[u64], inputs: &mut [u64]) {
+        if self.write.transfers(inputs, outputs) {
+            let fields: Vec<_> = self.write.fields.iter().map(|&field| outputs[field]).collect();
+            let StoredWord { splat, word, value } = read(config, &fields);
+            let words = self.words.entry(splat).or_default();
+            words.truncate(word.into());
+            words.push(value);
+        }
+        let [write, data] = self.stalls.each_mut().map(Stalls::stalled);
+        if !self.data.offers(inputs, outputs) || self.data.transfers(inputs, outputs) {
+            let word = if data { None } else { self.asked.pop_front() };
+            offer(&self.data, inputs, word.map(|word| words(config, word)));
+        }
+        inputs[self.write.ready.expect("the stream has one")] = u64::from(!write);
+    }
+}
 
 /// Sends copies in, and those that come out in another order back in.
 #[derive(Clone)]
@@ -33,6 +65,7 @@ struct Shuffled {
     /// Ends of frames, which do not come back.
     ends: usize,
     stalls: [Stalls; 4],
+    memory: Option<Memory>,
 }
 
 impl Shuffled {
@@ -47,7 +80,16 @@ impl Shuffled {
             [Stall::Varied; 4],
         ];
         let mut random = fastrand::Rng::with_seed(seed);
+        let memory_stalls = [(); 2].map(|()| Stalls::new(kinds[(seed / 2) as usize % kinds.len()][0], random.fork()));
+        let memory = config.has_payloads_in_memory().then(|| Memory {
+            write: stream("write"),
+            data: stream("data"),
+            words: HashMap::new(),
+            asked: VecDeque::new(),
+            stalls: memory_stalls,
+        });
         Self {
+            memory,
             config: config.clone(),
             input: stream("in"),
             copy: stream("copy"),
@@ -70,6 +112,9 @@ impl Shuffled {
         let index = (!self.between.is_empty()).then(|| self.random.usize(..self.between.len()))?;
         let TileCopy { bounds, diagonals, tile, splat, .. } = self.between.remove(index);
         let slot = self.random.u8(..self.config.tile_slots as u8);
+        if let Some(Memory { words, asked, .. }) = &mut self.memory {
+            asked.extend(words.get(&splat).into_iter().flatten());
+        }
         Some(PlacedCopy { bounds, diagonals, tile, splat, slot })
     }
 }
@@ -97,6 +142,9 @@ impl Stimulus for Shuffled {
         if is_free(&self.placed, inputs) {
             let copy = if placed_source { None } else { self.pick() };
             offer(&self.placed, inputs, copy.map(|copy| words(&self.config, copy)));
+        }
+        if let Some(memory) = &mut self.memory {
+            memory.step(&self.config, outputs, inputs);
         }
         let has_room = self.between.len() < self.room;
         let [copy_ready, out_ready] = [&self.copy, &self.out].map(|stream| stream.ready.expect("the stream has one"));
@@ -146,7 +194,11 @@ fn sorted(config: &Config, copies: &[CompleteCopy]) -> Vec<Identity> {
 fn sizes() -> Vec<Config> {
     let [bare, full, mixed] = configs();
     let sized = |config: &Config, splat_levels, payload_beats| Config { splat_levels, payload_beats, ..config.clone() };
+    let in_memory = |config: Config, payload_ahead| Config { payload: PayloadStore::Memory, payload_ahead, ..config };
     vec![
+        in_memory(sized(&bare, 0, 1), 1),
+        in_memory(sized(&full, 2, 3), 4),
+        in_memory(sized(&mixed, 4, 8), 16),
         sized(&bare, 0, 1),
         sized(&full, 0, 3),
         sized(&mixed, 1, 2),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pointcore::splat::activity::{State, Unit};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::PayloadStore;
 use pointcore_contract::splat::records::Fragment;
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, Waveform, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
@@ -58,7 +59,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     let [bare, _, mixed] = configs();
     let several = [
         Config { rasterizers: 2, ..bare.clone() },
-        Config { rasterizers: 2, memory_ports: 2, ..bare },
+        Config { rasterizers: 2, memory_ports: 2, payload: PayloadStore::Memory, payload_beats: 2, ..bare },
         Config { rasterizers: 4, memory_ports: 2, ..mixed },
     ];
     for config in configs().into_iter().chain([coarse, fixed, integers]).chain(several) {

@@ -68,15 +68,26 @@ fn length(array: &TypeArray) -> Result<usize> {
     }
 }
 
+/// The type of one of a field's, and how many there are at most where there may be several.
+pub(crate) fn one_of(ty: &Type) -> Result<(&Type, Option<usize>)> {
+    Ok(match ty {
+        Type::Array(array) => (&*array.elem, Some(length(array)?)),
+        ty => (ty, None),
+    })
+}
+
+/// What several are called: the first without a number, so that it is the same where there is but one.
+pub(crate) fn numbered(name: &LitStr, most: usize) -> Vec<LitStr> {
+    let numbered = |number: usize| LitStr::new(&format!("{}_{number}", name.value()), name.span());
+    std::iter::once(name.clone()).chain((1..most).map(numbered)).collect()
+}
+
 impl<'a> Port<'a> {
     /// What a field of a unit says.
     pub fn of(field: &'a Field) -> Result<Self> {
         let Some(ident) = &field.ident else { return Err(Error::new_spanned(field, "a unit's ports have names")) };
         let expected = || Error::new_spanned(&field.ty, "expected a kind of port with its record: In<R>");
-        let (ty, most) = match &field.ty {
-            Type::Array(array) => (&*array.elem, Some(length(array)?)),
-            ty => (ty, None),
-        };
+        let (ty, most) = one_of(&field.ty)?;
         let Type::Path(path) = ty else { return Err(expected()) };
         let segment = path.path.segments.last().ok_or_else(expected)?;
         let PathArguments::AngleBracketed(arguments) = &segment.arguments else { return Err(expected()) };
@@ -96,10 +107,9 @@ impl<'a> Port<'a> {
         Ok(Self { field: ident, name, kind, kind_name: &segment.ident, record, most, annotations })
     }
 
-    /// What the groups are called: the first without a number, so that it is the same where there is but one.
+    /// What the groups are called.
     fn names(&self) -> Vec<LitStr> {
-        let numbered = |number: usize| LitStr::new(&format!("{}_{number}", self.name.value()), self.name.span());
-        std::iter::once(self.name.clone()).chain((1..self.most.unwrap_or(1)).map(numbered)).collect()
+        numbered(&self.name, self.most.unwrap_or(1))
     }
 
     /// A type or a value for each group, or for the only one.

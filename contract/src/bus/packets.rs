@@ -6,7 +6,7 @@ use crate::process::{self, records::Neighbor};
 use crate::search;
 use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use crate::splat;
-use crate::splat::records::{Fragment, Pixel, Splat};
+use crate::splat::records::{Fragment, PayloadWord, Pixel, Splat};
 use crate::{Field, Record, fields, places};
 
 /// A record that travels as a packet.
@@ -91,7 +91,7 @@ fn memory(name: &'static str, doc: &'static str, fields: Vec<Field>, memory_bits
 #[must_use]
 pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
     let bus = &config.bus;
-    vec![
+    let mut records = vec![
         packet(
             "splat",
             "A splat in world space, or with `end` set the end of the frame.",
@@ -110,7 +110,12 @@ pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
             fields::<Pixel>(config),
             bus.memory_bits,
         ),
-    ]
+    ];
+    if config.has_payloads_in_memory() {
+        let doc = "A word of a payload, which only the core reads and writes.";
+        records.push(memory("payload_word", doc, fields::<PayloadWord>(config), bus.memory_bits));
+    }
+    records
 }
 
 /// Packets and memory records of the search core.

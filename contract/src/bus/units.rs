@@ -303,6 +303,16 @@ pub struct SplatAxi {
     #[port("m_axi")]
     #[with(&config.bus.memory_bits)]
     writes: WriteMaster,
+    /// Memory with the payloads of a rasterizer's splats.
+    #[port("m_axi_payload")]
+    #[count(config.payload_ports())]
+    #[with(&config.bus.memory_bits)]
+    payload_reads: [ReadMaster; 8],
+    /// The same memory.
+    #[port("m_axi_payload")]
+    #[count(config.payload_ports())]
+    #[with(&config.bus.memory_bits)]
+    payload_writes: [WriteMaster; 8],
 }
 
 /// The search core on AXI.

@@ -50,6 +50,10 @@ pub const DISTRIBUTED_COPIES: u32 = 16;
 pub const COLLECTED_READS: u32 = 32;
 /// The most ports to the reconstruction buffer.
 pub const MEMORY_PORTS_MAX: u32 = 4;
+/// The most rasterizers.
+pub const RASTERIZERS_MAX: u32 = 8;
+/// Copies that wait until memory has taken their payload.
+pub const WRITTEN_COPIES: u32 = 8;
 /// Bits of the counter of copies under way in one tile slot.
 pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.
@@ -85,6 +89,16 @@ pub enum Reordering {
     Heap,
     /// A list for each tile: some tiles in turn.
     Lists,
+}
+
+/// Where payloads are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PayloadStore {
+    /// On the chip.
+    Chip,
+    /// In memory, behind a port of each rasterizer's.
+    Memory,
 }
 
 configuration! {
@@ -147,6 +161,10 @@ configuration! {
             splat_levels: u32 = 10, range(0, 14), Input;
             /// Cycles in which a copy gets its splat's payload, footprint and attributes: as many words hold it.
             payload_beats: u32 = 2, range(1, 8), User;
+            /// Where payloads are kept: on the chip, or in memory behind a port of each rasterizer's.
+            payload: PayloadStore = PayloadStore::Chip, described("`\"chip\"`, `\"memory\"`"), User;
+            /// Copies whose payload is asked for before they are drawn, where it is in memory: enough for its latency.
+            payload_ahead: u32 = 16, range(1, 64), User;
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).
@@ -189,7 +207,7 @@ impl Config {
         if ![2, 4].contains(&self.heap_interval) {
             return Err(ConfigError::HeapInterval(self.heap_interval));
         }
-        if ![1, 2, 4, 8].contains(&self.rasterizers) {
+        if ![1, 2, 4, RASTERIZERS_MAX].contains(&self.rasterizers) {
             return Err(ConfigError::Rasterizers(self.rasterizers));
         }
         let columns = self.width.div_ceil(TILE_SIZE).next_power_of_two();
@@ -371,6 +389,18 @@ impl Config {
     #[must_use]
     pub const fn splat_bits(&self) -> u32 {
         index_bits(self.splats_held())
+    }
+
+    /// Whether payloads are in memory.
+    #[must_use]
+    pub fn has_payloads_in_memory(&self) -> bool {
+        self.payload == PayloadStore::Memory
+    }
+
+    /// Ports to the memory of payloads, one for each rasterizer.
+    #[must_use]
+    pub fn payload_ports(&self) -> u32 {
+        if self.has_payloads_in_memory() { self.rasterizers } else { 0 }
     }
 
     /// Bits of a number of copies of one splat: it has one a tile at most.

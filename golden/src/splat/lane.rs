@@ -1,8 +1,8 @@
 //! Lane: a rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3).
 
 use super::{
-    Accumulator, Latencies, Payloads, Rasterizer, Reorder, TileCache, Weighting, accumulator, payloads, rasterizer,
-    reorder, tile_cache, weighting,
+    Accumulator, Latencies, Payloads, Prefetch, Rasterizer, Reorder, TileCache, Weighting, accumulator, payloads,
+    prefetch, rasterizer, reorder, tile_cache, weighting,
 };
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
@@ -17,6 +17,8 @@ pub struct Shown {
     pub payloads: payloads::Out,
     /// The reorder stage.
     pub reorder: reorder::Out,
+    /// What asks for payloads, where they are in memory.
+    pub prefetch: Option<prefetch::Out>,
     /// The tile cache.
     pub tile_cache: tile_cache::Out,
     /// The rasterizer.
@@ -38,7 +40,22 @@ impl Shown {
     #[must_use]
     pub const fn ports(&self) -> Out {
         let tile_cache::Out { read, data_ready, write, pixel, .. } = self.tile_cache;
-        Out { in_ready: self.payloads.in_ready, read, data_ready, write, pixel, events: self.events() }
+        let payloads::Out { in_ready, data_ready: payload_data_ready, write: payload_write, .. } = self.payloads;
+        let payload_read = match &self.prefetch {
+            Some(prefetch) => prefetch.read,
+            None => None,
+        };
+        Out {
+            in_ready,
+            read,
+            data_ready,
+            write,
+            pixel,
+            payload_read,
+            payload_data_ready,
+            payload_write,
+            events: self.events(),
+        }
     }
 }
 
@@ -47,6 +64,7 @@ impl Shown {
 pub struct Lane {
     payloads: Payloads,
     reorder: Reorder,
+    prefetch: Option<Prefetch>,
     tile_cache: TileCache,
     rasterizer: Rasterizer,
     weighting: Weighting,
@@ -60,6 +78,7 @@ impl Lane {
         Self {
             payloads: Payloads::new(config),
             reorder: Reorder::new(config),
+            prefetch: config.has_payloads_in_memory().then(|| Prefetch::new(config)),
             tile_cache: TileCache::new(config),
             rasterizer: Rasterizer::new(config, latencies.rasterizer),
             weighting: Weighting::new(config, latencies.weighting),
@@ -73,6 +92,7 @@ impl Lane {
         Shown {
             payloads: self.payloads.outputs(),
             reorder: self.reorder.outputs(),
+            prefetch: self.prefetch.as_ref().map(Model::outputs),
             tile_cache: self.tile_cache.outputs(),
             rasterizer: self.rasterizer.outputs(),
             weighting: self.weighting.outputs(),
@@ -82,17 +102,31 @@ impl Lane {
 
     /// One clock edge of units that show this.
     pub fn step(&mut self, inputs: &In, shown: &Shown) {
-        let Shown { payloads, reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let Shown { payloads, reorder, prefetch, tile_cache, rasterizer, weighting, accumulator } = shown;
         self.payloads.clock(&payloads::In {
             input: inputs.input,
             copy_ready: reorder.in_ready && !tile_cache.full,
             placed: tile_cache.out,
             out_ready: rasterizer.in_ready,
+            data: inputs.payload_data,
+            write_ready: inputs.payload_write_ready,
         });
         let copy = payloads.copy.filter(|_| !tile_cache.full);
-        self.reorder.clock(&reorder::In { input: copy, out_ready: tile_cache.in_ready });
+        let (ordered, reorder_ready) = match prefetch {
+            Some(prefetch) => (prefetch.out, prefetch.in_ready),
+            None => (reorder.out, tile_cache.in_ready),
+        };
+        self.reorder.clock(&reorder::In { input: copy, out_ready: reorder_ready });
+        if let Some(prefetch) = &mut self.prefetch {
+            prefetch.clock(&prefetch::In {
+                input: reorder.out,
+                out_ready: tile_cache.in_ready,
+                read_ready: inputs.payload_read_ready,
+                left: payloads.read,
+            });
+        }
         self.tile_cache.clock(&tile_cache::In {
-            input: reorder.out,
+            input: ordered,
             arrives: copy.filter(|_| reorder.in_ready).map(|TileCopy { end, tile, splat, .. }| ArrivedCopy {
                 end,
                 tile,

@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{
-    Fragment, Pixel, Splat as SplatRecord, StoredPixel, UniformWrite, buffer_tile, uniform_formats,
+    Fragment, PayloadWord, Pixel, Splat as SplatRecord, StoredPixel, UniformWrite, buffer_tile, uniform_formats,
 };
 use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
 use pointcore_contract::{Camera, Format, Rendering, Splat};
@@ -92,6 +92,15 @@ struct Memory {
     beats: Vec<VecDeque<Pixel>>,
 }
 
+/// The memory of a rasterizer's payloads: likewise.
+struct Payloads {
+    /// By place and number.
+    words: Vec<PayloadWord>,
+    beats: VecDeque<PayloadWord>,
+    /// Data, read, write.
+    gates: [Gate; 3],
+}
+
 /// Whether a stream may move in this cycle; changes its mind rarely, so that queues fill and empty.
 struct Gate {
     open: bool,
@@ -115,6 +124,7 @@ pub struct Bench {
     splat_gate: Gate,
     /// Of each port: data, read, write, fragment.
     gates: Vec<[Gate; 4]>,
+    payloads: Vec<Payloads>,
     /// Cycles run.
     pub cycles: u64,
     /// Pixels written to memory.
@@ -139,6 +149,13 @@ impl Bench {
             random,
             splat_gate: Gate { open: true },
             gates: ports.map(|_| [(); 4].map(|()| Gate { open: true })).collect(),
+            payloads: (0..config.payload_ports())
+                .map(|_| Payloads {
+                    words: vec![PayloadWord::default(); (config.splats_held() * config.payload_beats) as usize],
+                    beats: VecDeque::new(),
+                    gates: [(); 3].map(|()| Gate { open: true }),
+                })
+                .collect(),
             cycles: 0,
             writes: 0,
         }
@@ -169,6 +186,12 @@ impl Bench {
                 inputs.write_ready[port] = write;
                 inputs.fragment_ready[port] = fragment;
             }
+            for (port, Payloads { beats, gates, .. }) in self.payloads.iter_mut().enumerate() {
+                let [data, read, write] = gates.each_mut().map(|gate| gate.step(&mut self.random));
+                inputs.payload_data[port] = if data { beats.front().copied() } else { None };
+                inputs.payload_read_ready[port] = read;
+                inputs.payload_write_ready[port] = write;
+            }
             patience -= 1;
             if inputs.splat.is_some() && out.splat_ready {
                 splats.next();
@@ -187,6 +210,7 @@ impl Bench {
                     }
                 }
             }
+            self.exchange_payloads(&inputs, &out);
             self.top.clock(&inputs);
             self.cycles += 1;
             assert!(patience > 0, "the core is stuck in cycle {}: {:?}", self.cycles, self.top.outputs());
@@ -213,6 +237,22 @@ impl Bench {
             self.writes += 1;
         }
         comes || write.is_some()
+    }
+
+    /// A cycle at the memories of payloads.
+    fn exchange_payloads(&mut self, inputs: &In, out: &Out) {
+        let count = self.config.payload_beats as usize;
+        for (port, Payloads { words, beats, .. }) in self.payloads.iter_mut().enumerate() {
+            if inputs.payload_data[port].is_some() && out.payload_data_ready[port] {
+                beats.pop_front();
+            }
+            if let Some(read) = out.payload_read[port].filter(|_| inputs.payload_read_ready[port]) {
+                beats.extend(&words[usize::from(read.splat) * count..][..count]);
+            }
+            if let Some(write) = out.payload_write[port].filter(|_| inputs.payload_write_ready[port]) {
+                words[usize::from(write.splat) * count + usize::from(write.word)] = write.value;
+            }
+        }
     }
 }
 

@@ -6,7 +6,7 @@ mod scenes;
 use driver::{Bench, LATENCIES, Stalls, decode, decode_attribute, encode, record, uniforms};
 use fastrand::Rng;
 use glam::Vec3;
-use pointcore_contract::splat::config::Reordering;
+use pointcore_contract::splat::config::{PayloadStore, Reordering};
 use pointcore_contract::splat::records::{Fragment, Splat as SplatRecord};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, Rendering, Splat};
@@ -58,6 +58,7 @@ fn a_frame_depends_on_its_input_alone() {
     assert!(expected.len() > 2000 && plain.writes > 10_000, "{} fragments, {} writes", expected.len(), plain.writes);
 
     let unhurried = Config { transform_interval: 1, setup_interval: 7, accumulate_stages: 5, ..config.clone() };
+    let in_memory = Config { payload: PayloadStore::Memory, ..config.clone() };
     let configs = [
         config.clone(),
         Config { heap_levels: 2, ..config.clone() },
@@ -73,6 +74,9 @@ fn a_frame_depends_on_its_input_alone() {
         Config { rasterizers: 8, memory_ports: 4, tile_slots: 2, ..config.clone() },
         Config { splat_levels: 0, payload_beats: 8, ..config.clone() },
         Config { splat_levels: 2, payload_beats: 1, ..config.clone() },
+        Config { splat_levels: 0, payload_beats: 1, payload_ahead: 1, ..in_memory.clone() },
+        Config { payload_beats: 8, payload_ahead: 5, rasterizers: 4, memory_ports: 2, ..in_memory.clone() },
+        in_memory,
     ];
     let latencies = [
         LATENCIES,

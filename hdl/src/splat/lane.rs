@@ -1,7 +1,7 @@
 //! A rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3); golden twin:
 //! `pointcore_golden::splat::lane`.
 
-use super::{accumulator, payloads, rasterizer, reorder, tile_cache, weighting};
+use super::{accumulator, payloads, prefetch, rasterizer, reorder, tile_cache, weighting};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{
     InputPorts, OutputPorts, Pulse, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse,
@@ -52,6 +52,22 @@ fn order(m: &mut Module, config: &Config, payloads: Instance, reorder: Instance,
     tile_cache::PORTS.arrives.feed(m, config, cache, arrives);
 }
 
+/// Connects the payloads to their memory, and asks for them as copies come in order; returns what these pass.
+fn payloads_in_memory(m: &mut Module, config: &Config, payloads: Instance, reorder: Instance) -> Instance {
+    use units::payloads as splats;
+    let prefetch = m.instance("prefetch", prefetch::module(config));
+    pipe(m, config, (reorder, units::reorder::PORTS.out), (prefetch, units::prefetch::PORTS.input));
+    let read = units::prefetch::PORTS.read.of(m, config, prefetch);
+    PORTS.payload_read.export(m, config, read);
+    let data = PORTS.payload_data.declare(m, config);
+    splats::PORTS.data.feed(m, config, payloads, data);
+    let write = splats::PORTS.write.of(m, config, payloads);
+    PORTS.payload_write.export(m, config, write);
+    let left = splats::PORTS.read.word_of(m, payloads);
+    units::prefetch::PORTS.left.feed_word(m, prefetch, left);
+    prefetch
+}
+
 /// Builds a lane.
 ///
 /// # Errors
@@ -74,7 +90,12 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
     let copy = PORTS.input.declare(&mut m, config);
     splats::PORTS.input.feed(&mut m, config, payloads, copy);
     order(&mut m, config, payloads, reorder, cache);
-    pipe(&mut m, config, (reorder, units::reorder::PORTS.out), (cache, tiles::PORTS.input));
+    let ordered = if config.has_payloads_in_memory() {
+        (payloads_in_memory(&mut m, config, payloads, reorder), units::prefetch::PORTS.out)
+    } else {
+        (reorder, units::reorder::PORTS.out)
+    };
+    pipe(&mut m, config, ordered, (cache, tiles::PORTS.input));
     pipe(&mut m, config, (cache, tiles::PORTS.out), (payloads, splats::PORTS.placed));
     pipe(&mut m, config, (payloads, splats::PORTS.out), (rasterizer, samples::PORTS.input));
     pipe(&mut m, config, (rasterizer, samples::PORTS.out), (weighting, units::weighting::PORTS.input));

@@ -14,6 +14,7 @@ pub mod motion_evaluation;
 pub mod motion_setup;
 pub mod normalizer;
 pub mod payloads;
+pub mod prefetch;
 pub mod rasterizer;
 pub mod reorder;
 pub mod setup;
@@ -34,7 +35,7 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last. Those of motion stand beside it.
-pub const UNITS: [(&Unit<Config>, Describe); 21] = [
+pub const UNITS: [(&Unit<Config>, Describe); 22] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -43,6 +44,7 @@ pub const UNITS: [(&Unit<Config>, Describe); 21] = [
     (&units::heap::UNIT, |config| Ok(heap::module(config))),
     (&units::lists::UNIT, |config| Ok(lists::module(config))),
     (&units::reorder::UNIT, |config| Ok(reorder::module(config))),
+    (&units::prefetch::UNIT, |config| Ok(prefetch::module(config))),
     (&units::tile_cache::UNIT, |config| Ok(tile_cache::module(config))),
     (&units::rasterizer::UNIT, |config| Ok(rasterizer::datapath(config, &Options::default())?.module)),
     (&units::weighting::UNIT, |config| Ok(weighting::datapath(config, &Options::default())?.module)),

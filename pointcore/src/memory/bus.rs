@@ -1,6 +1,7 @@
 //! The bus of a memory: one transfer at a time, at so many bytes a cycle, in whole bursts.
 
 use super::MemorySettings;
+use std::ops::Range;
 
 /// A bus.
 #[derive(Clone, Debug)]
@@ -60,5 +61,30 @@ impl Bus {
         self.free = begin + self.transfer_cycles(bytes);
         self.bytes += self.whole_bursts(bytes);
         begin
+    }
+}
+
+/// Writes of one port, of which those that follow each other in a burst cost it once.
+#[derive(Clone, Copy, Debug)]
+pub struct WrittenBursts {
+    burst_bytes: u32,
+    /// The burst written last, by block and number.
+    last: Option<(usize, u32)>,
+}
+
+impl WrittenBursts {
+    /// A port to which nothing was written.
+    #[must_use]
+    pub const fn new(settings: &MemorySettings) -> Self {
+        Self { burst_bytes: settings.burst_bytes, last: None }
+    }
+
+    /// Bytes that a write of these bytes of a block costs, whole bursts. Every block begins a burst.
+    pub fn bytes(&mut self, block: usize, bytes: Range<u32>) -> u64 {
+        let bursts = bytes.start / self.burst_bytes..=(bytes.end - 1) / self.burst_bytes;
+        let last = (block, *bursts.end());
+        let begun = bursts.filter(|burst| self.last != Some((block, *burst))).count();
+        self.last = Some(last);
+        begun as u64 * u64::from(self.burst_bytes)
     }
 }

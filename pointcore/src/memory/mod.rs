@@ -6,7 +6,7 @@
 
 mod bus;
 
-pub use bus::Bus;
+pub use bus::{Bus, WrittenBursts};
 
 use serde::Serialize;
 use std::collections::VecDeque;

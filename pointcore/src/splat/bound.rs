@@ -35,7 +35,7 @@ pub fn copy_interval(config: &Config) -> u32 {
 
 /// Every resource of a frame that was run.
 #[must_use]
-pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [FrameBound; 6] {
+pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [FrameBound; 7] {
     let times = |count: u64, interval: u32| count * u64::from(interval);
     let by_rasterizer = |cycles: u64| cycles.div_ceil(config.rasterizers.into());
     [
@@ -45,6 +45,7 @@ pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [Fram
         ("splats in transform", times(fates.total(), config.transform_interval)),
         ("splats in setup", times(fates.set_up, config.setup_interval)),
         ("reconstruction buffer", counters.buffer.busy_cycles),
+        ("memory of payloads", counters.payloads.busy_cycles),
     ]
     .map(|(name, cycles)| FrameBound { name, cycles })
 }
@@ -54,6 +55,7 @@ mod tests {
     use super::*;
     use crate::splat::EventCounts;
     use crate::splat::memory::BufferTraffic;
+    use crate::splat::payload_memory::PayloadTraffic;
 
     #[test]
     fn every_resource_has_its_interval() {
@@ -68,10 +70,11 @@ mod tests {
         let counters = SplatCounters {
             events: EventCounts { sample: 100, ..EventCounts::default() },
             buffer: BufferTraffic { busy_cycles: 64, ..BufferTraffic::default() },
+            payloads: PayloadTraffic { busy_cycles: 48, ..PayloadTraffic::default() },
             ..SplatCounters::default()
         };
         let cycles = |config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
-        assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64]);
+        assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64, 48]);
         let two = Config { rasterizers: 2, ..config.clone() };
         assert_eq!(cycles(&two)[..3], [50, 30, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };

@@ -1,7 +1,8 @@
-//! The host around the renderer: writes uniforms, sends splats, plays the reconstruction buffer, collects fragments, counts.
+//! The host around the renderer: writes uniforms, sends splats, plays its memories, collects fragments, counts.
 
 use super::encode::EncodedFrame;
 use super::memory::{BufferTraffic, ReconstructionBuffer};
+use super::payload_memory::{PayloadMemory, PayloadTraffic};
 use crate::generated::Progress;
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::Config;
@@ -53,6 +54,8 @@ pub struct SplatCounters {
     pub events: EventCounts,
     /// What passed between core and reconstruction buffer.
     pub buffer: BufferTraffic,
+    /// What passed between core and the memory of payloads.
+    pub payloads: PayloadTraffic,
 }
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
@@ -72,6 +75,7 @@ pub struct SplatHost<'a> {
     /// By port: frames of which it has brought the end fragment.
     ended: Vec<usize>,
     buffer: ReconstructionBuffer,
+    payloads: PayloadMemory,
     /// Fragments as they came; end fragments are not among them.
     pub fragments: Vec<Fragment>,
     /// Counts so far.
@@ -80,7 +84,7 @@ pub struct SplatHost<'a> {
 
 impl<'a> SplatHost<'a> {
     /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
-    /// back, `memory` how the reconstruction buffer answers.
+    /// back, `memory` how reconstruction buffer and payloads answer, each from a memory of its own.
     #[must_use]
     pub fn new(
         config: &'a Config,
@@ -101,6 +105,7 @@ impl<'a> SplatHost<'a> {
             frames: frame.records.iter().filter(|record| record.end).count(),
             ended: vec![0; config.memory_ports as usize],
             buffer: ReconstructionBuffer::new(config, memory),
+            payloads: PayloadMemory::new(config, memory),
             fragments: Vec::new(),
             counters: SplatCounters::default(),
         }
@@ -128,12 +133,14 @@ impl<'a> SplatHost<'a> {
         if cycle > 0 && self.account(cycle, outputs) {
             self.counters.cycles = cycle - first_splat_cycle;
             self.counters.buffer = self.buffer.traffic();
+            self.counters.payloads = self.payloads.traffic();
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {
             (self.progress)(cycle, self.sent as f64 / self.frame.records.len() as f64);
         }
         self.buffer.advance(cycle);
+        self.payloads.advance(cycle);
         let uniform = self.uniforms.get(cycle as usize);
         self.inputs.uniform = uniform.map(|&data| UniformWrite { address: cycle as u8, data: data as u32 });
         if cycle >= first_splat_cycle {
@@ -143,6 +150,10 @@ impl<'a> SplatHost<'a> {
             self.inputs.read_ready[port] = !self.stalls.stalled();
             self.inputs.write_ready[port] = !self.stalls.stalled() && self.buffer.is_writable(cycle);
             self.inputs.fragment_ready[port] = !self.stalls.stalled();
+        }
+        for port in 0..self.payloads.ports() {
+            self.inputs.payload_read_ready[port] = !self.stalls.stalled();
+            self.inputs.payload_write_ready[port] = !self.stalls.stalled() && self.payloads.is_writable(cycle);
         }
         Flow::Continue
     }
@@ -169,10 +180,21 @@ impl<'a> SplatHost<'a> {
                 }
             }
         }
+        for port in 0..self.payloads.ports() {
+            if let Some(read) = outputs.payload_read[port].filter(|_| self.inputs.payload_read_ready[port]) {
+                self.payloads.request(port, read, cycle);
+            }
+            if self.inputs.payload_data[port].is_some() && outputs.payload_data_ready[port] {
+                self.payloads.take(port);
+            }
+            if let Some(write) = outputs.payload_write[port].filter(|_| self.inputs.payload_write_ready[port]) {
+                self.payloads.write(port, &write, cycle - 1);
+            }
+        }
         self.ended.iter().all(|ended| *ended == self.frames)
     }
 
-    /// Offers the next record and the next pixel, unless the stalls hold them back; an offer once made stands.
+    /// Offers the next record and what memories show, unless the stalls hold them back; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         if self.inputs.splat.is_none() || outputs.splat_ready {
             let record = self.frame.records.get(self.sent).copied();
@@ -181,6 +203,11 @@ impl<'a> SplatHost<'a> {
         for port in 0..self.ended.len() {
             if self.inputs.data[port].is_none() || outputs.data_ready[port] {
                 self.inputs.data[port] = self.buffer.offer(port, cycle).filter(|_| !self.stalls.stalled());
+            }
+        }
+        for port in 0..self.payloads.ports() {
+            if self.inputs.payload_data[port].is_none() || outputs.payload_data_ready[port] {
+                self.inputs.payload_data[port] = self.payloads.offer(port, cycle).filter(|_| !self.stalls.stalled());
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The reconstruction buffer behind the renderer's memory ports.
 
-use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize};
+use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize, WrittenBursts};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Pixel, PixelRun, StoredPixel, buffer_tile, pixel_bytes};
@@ -32,7 +32,6 @@ pub struct ReconstructionBuffer {
     /// By surface and tile; one that was never written is empty.
     tiles: Vec<Option<Box<[Pixel; PIXELS]>>>,
     pixel_bytes: u32,
-    burst_bytes: u32,
     memory: ExternalMemory<PixelRun>,
     /// The bus of the writes, where they have one of their own.
     write_bus: Option<Bus>,
@@ -40,10 +39,9 @@ pub struct ReconstructionBuffer {
 }
 
 /// What passed a port.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Port {
-    /// The burst written last, by tile and number: a pixel that lies in it as well costs nothing more.
-    last_burst: Option<(usize, u32)>,
+    written: WrittenBursts,
     pixels_read: u64,
     pixels_written: u64,
 }
@@ -64,11 +62,10 @@ impl ReconstructionBuffer {
             config: config.clone(),
             tiles: vec![None; config.buffer_tiles()],
             pixel_bytes,
-            burst_bytes: settings.burst_bytes,
             // Nothing is left to chance in order.
             memory: ExternalMemory::new(settings, ports, bytes_at_once, 0),
             write_bus: settings.bytes_per_cycle.is_none().then(|| Bus::new(&settings, bytes_at_once)),
-            ports: vec![Port::default(); ports],
+            ports: vec![Port { written: WrittenBursts::new(&settings), pixels_read: 0, pixels_written: 0 }; ports],
         }
     }
 
@@ -111,14 +108,11 @@ impl ReconstructionBuffer {
         tile[usize::from(write.pixel)] = write.value;
 
         let begin = u32::from(write.pixel) * self.pixel_bytes;
-        let bursts = begin / self.burst_bytes..=(begin + self.pixel_bytes - 1) / self.burst_bytes;
-        let last = (place, *bursts.end());
         let port = &mut self.ports[port];
         port.pixels_written += 1;
-        let begun = bursts.filter(|burst| port.last_burst != Some((place, *burst))).count();
-        port.last_burst = Some(last);
+        let bytes = port.written.bytes(place, begin..begin + self.pixel_bytes);
         let bus = self.write_bus.as_mut().unwrap_or_else(|| self.memory.bus_mut());
-        bus.transfer(begun as u64 * u64::from(self.burst_bytes), now);
+        bus.transfer(bytes, now);
     }
 
     /// What passed so far.

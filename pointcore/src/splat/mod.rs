@@ -11,6 +11,7 @@ mod host;
 pub mod mask;
 pub mod memory;
 mod page;
+pub mod payload_memory;
 mod recorded;
 mod report;
 mod run;

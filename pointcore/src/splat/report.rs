@@ -5,6 +5,7 @@ use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
 use super::memory::BufferTraffic;
+use super::payload_memory::{PayloadTraffic, payload_word_bytes};
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::{Config, records};
 use pointcore_golden::reference::Frame;
@@ -31,7 +32,7 @@ pub struct SplatReport {
     /// Cycles from the first splat to the end of the frame.
     pub cycles: u64,
     /// Cycles that every resource would take for the frame if it never waited.
-    pub bounds: [FrameBound; 6],
+    pub bounds: [FrameBound; 7],
     /// The one that takes most: no frame ends sooner.
     pub bound: FrameBound,
     /// The bound's share of the cycles.
@@ -74,7 +75,13 @@ pub struct SplatReport {
     pub buffer_write_bytes: u64,
     /// Bytes that the memory moved for both, whole bursts.
     pub buffer_moved_bytes: u64,
-    /// How the memory that holds the reconstruction buffer answers.
+    /// Bytes of payloads read from memory; none where they are on the chip, and in what follows.
+    pub payload_read_bytes: u64,
+    /// Bytes of payloads written to memory.
+    pub payload_write_bytes: u64,
+    /// Bytes that the memory moved for both, whole bursts.
+    pub payload_moved_bytes: u64,
+    /// How the memory that holds the reconstruction buffer answers, and that of payloads.
     pub memory: MemorySettings,
     /// Fragments of the frame.
     pub fragments: u64,
@@ -129,12 +136,14 @@ impl SplatReport {
     /// Derives the figures.
     #[must_use]
     pub fn new(run: &SplatRun) -> Self {
-        let SplatCounters { cycles, events, buffer } = *run.counters;
+        let SplatCounters { cycles, events, buffer, payloads } = *run.counters;
         let BufferTraffic { pixels_read, pixels_written, bytes: buffer_moved_bytes, .. } = buffer;
+        let PayloadTraffic { words_read, words_written, bytes: payload_moved_bytes, .. } = payloads;
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
         let ratio = |count: u64, each: u64| count as f64 / each.max(1) as f64;
         let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
+        let word_bytes = u64::from(payload_word_bytes(run.config));
         let differences = Differences::of(run.frame, run.reference, run.config);
         let bounds = bounds(run.config, &run.fates, run.counters);
         let bound = bounds.into_iter().max_by_key(|bound| bound.cycles).expect("a frame uses resources");
@@ -172,6 +181,9 @@ impl SplatReport {
             buffer_read_bytes: pixels_read * pixel_bytes,
             buffer_write_bytes: pixels_written * pixel_bytes,
             buffer_moved_bytes,
+            payload_read_bytes: words_read * word_bytes,
+            payload_write_bytes: words_written * word_bytes,
+            payload_moved_bytes,
             memory: run.memory,
             fragments,
             psnr_db: is_comparable.then_some(run.psnr_db),
@@ -212,7 +224,7 @@ impl SplatReport {
             Some(_) => "the pictures are equal".to_owned(),
             None => "nothing to compare: both pictures are empty".to_owned(),
         };
-        vec![
+        let mut rows = vec![
             ("engine", self.engine.clone()),
             ("lockstep", compared),
             ("image", format!("{} × {} px, {} fragments", self.width, self.height, self.fragments)),
@@ -239,12 +251,19 @@ impl SplatReport {
             ("memory", self.memory_in_words()),
             ("reconstruction buffer read", format!("{} bytes", self.buffer_read_bytes)),
             ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
+        ];
+        if self.payload_moved_bytes > 0 {
+            rows.push(("payloads read from memory", format!("{} bytes", self.payload_read_bytes)));
+            rows.push(("payloads written to memory", format!("{} bytes", self.payload_write_bytes)));
+        }
+        rows.extend([
             ("PSNR against the f64 reference", psnr),
             ("pixels covered differently", self.coverage_differences.to_string()),
             ("pixels with another material", self.material_differences.to_string()),
             ("pixels that differ by more than one rounding", self.explanation()),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
-        ]
+        ]);
+        rows
     }
 
     /// How the memory answers.
@@ -256,7 +275,10 @@ impl SplatReport {
         };
         let bursts = match burst_bytes {
             1 => String::new(),
-            bytes => format!(", in bursts of {bytes} bytes: {} bytes moved", self.buffer_moved_bytes),
+            bytes => {
+                let moved = self.buffer_moved_bytes + self.payload_moved_bytes;
+                format!(", in bursts of {bytes} bytes: {moved} bytes moved")
+            }
         };
         format!("{latency_cycles} cycles latency, {bandwidth}{bursts}")
     }

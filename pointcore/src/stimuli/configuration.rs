@@ -3,7 +3,7 @@
 
 use super::one_of;
 use fastrand::Rng;
-use pointcore_contract::splat::config::{MEMORY_PORTS_MAX, Reordering, TILE_SIZE};
+use pointcore_contract::splat::config::{MEMORY_PORTS_MAX, PayloadStore, Reordering, TILE_SIZE};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
 use pointcore_contract::{search, splat};
@@ -104,6 +104,8 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         heap_interval: one_of(random, &[2, 4]),
         splat_levels: mostly(random, SPLAT_LEVELS, 0..=14),
         payload_beats: random.u32(1..=8),
+        payload: one_of(random, &[PayloadStore::Chip, PayloadStore::Chip, PayloadStore::Memory]),
+        payload_ahead: random.u32(1..=64),
         tile_slots: mostly(random, 2..=6, 2..=64),
         rasterizers,
         memory_ports: one_of(random, &[1, 1, 2, MEMORY_PORTS_MAX]).min(rasterizers),

@@ -6,6 +6,7 @@ use super::pace::Paces;
 use super::surroundings::{Idle, Pending, Surroundings, Watch, resets};
 use crate::memory::MemorySettings;
 use crate::splat::memory::ReconstructionBuffer;
+use crate::splat::payload_memory::PayloadMemory;
 use fastrand::Rng;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::UniformWrite;
@@ -14,7 +15,8 @@ use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stimulus};
 use std::sync::Arc;
 
-/// Streams that can be held back, and their places among the paces: those that there are once, then those of each port to memory.
+/// Streams that can be held back, and their places among the paces: those that there are once, then those of each port to the
+/// reconstruction buffer, and of each port to payloads.
 const SPLAT: usize = 0;
 const UNIFORM: usize = 1;
 /// The place of pixels from memory, at the first port.
@@ -26,10 +28,17 @@ pub const WRITE: usize = 4;
 const FRAGMENT: usize = 5;
 /// Streams of a port.
 const OF_PORT: usize = 4;
+/// Streams of a port to payloads: words from there, reads, words to there.
+const OF_PAYLOADS: usize = 3;
 
 /// How many streams can be held back.
 #[must_use]
-pub const fn streams(config: &Config) -> usize {
+pub fn streams(config: &Config) -> usize {
+    payload_streams(config) + OF_PAYLOADS * config.payload_ports() as usize
+}
+
+/// The place of the first stream of payloads.
+const fn payload_streams(config: &Config) -> usize {
     DATA + OF_PORT * config.memory_ports as usize
 }
 
@@ -58,6 +67,7 @@ pub struct Renderer {
     /// Cycles in which the core is reset.
     resets: Vec<u64>,
     buffer: ReconstructionBuffer,
+    payloads: PayloadMemory,
     inputs: In,
     /// The frame that is being sent, and how many of its records have been.
     sending: usize,
@@ -92,9 +102,10 @@ impl Script {
     }
 }
 
-/// An empty buffer that answers after a latency.
-fn buffer(config: &Config, latency_cycles: u64) -> ReconstructionBuffer {
-    ReconstructionBuffer::new(config, MemorySettings { latency_cycles, ..ReconstructionBuffer::SETTINGS })
+/// An empty buffer and an empty memory of payloads, which answer after a latency.
+fn memories(config: &Config, latency_cycles: u64) -> (ReconstructionBuffer, PayloadMemory) {
+    let settings = MemorySettings { latency_cycles, ..ReconstructionBuffer::SETTINGS };
+    (ReconstructionBuffer::new(config, settings), PayloadMemory::new(config, settings))
 }
 
 impl Renderer {
@@ -103,6 +114,7 @@ impl Renderer {
     #[must_use]
     pub fn new(config: &Config, script: Script, idle: Option<Idle>, quiet_cycles: u64) -> Self {
         let Script { frames, paces, latency, resets } = script;
+        let (buffer, payloads) = memories(config, latency);
         Self {
             config: config.clone(),
             frames: frames.into(),
@@ -111,7 +123,8 @@ impl Renderer {
             idle,
             latency,
             resets,
-            buffer: buffer(config, latency),
+            buffer,
+            payloads,
             inputs: In::default(),
             sending: 0,
             sent: 0,
@@ -122,7 +135,7 @@ impl Renderer {
 
     /// Begins again with the first frame that has not ended, on a core that has forgotten everything.
     fn restart(&mut self) {
-        self.buffer = buffer(&self.config, self.latency);
+        (self.buffer, self.payloads) = memories(&self.config, self.latency);
         let ended = self.ended();
         self.ended.fill(ended);
         (self.sending, self.sent, self.written) = (ended, 0, 0);
@@ -148,7 +161,8 @@ impl Renderer {
         }
         let uniform = self.inputs.uniform.is_some();
         let ports = (0..self.ended.len()).filter(|port| self.account_port(*port, cycle, outputs)).count();
-        if splat || uniform || ports > 0 {
+        let payloads = (0..self.payloads.ports()).filter(|port| self.account_payloads(*port, cycle, outputs)).count();
+        if splat || uniform || ports + payloads > 0 {
             self.watch.moved(cycle);
         }
     }
@@ -173,9 +187,28 @@ impl Renderer {
         data || read.is_some() || pixel.is_some() || fragment.is_some()
     }
 
+    /// The same at a port to payloads.
+    fn account_payloads(&mut self, port: usize, cycle: u64, outputs: &Out) -> bool {
+        let inputs = &self.inputs;
+        let read = outputs.payload_read[port].filter(|_| inputs.payload_read_ready[port]);
+        let data = inputs.payload_data[port].is_some() && outputs.payload_data_ready[port];
+        let word = outputs.payload_write[port].filter(|_| inputs.payload_write_ready[port]);
+        if let Some(read) = read {
+            self.payloads.request(port, read, cycle);
+        }
+        if data {
+            self.payloads.take(port);
+        }
+        if let Some(word) = &word {
+            self.payloads.write(port, word, cycle);
+        }
+        data || read.is_some() || word.is_some()
+    }
+
     /// Sets what is offered and what is taken; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         self.buffer.advance(cycle);
+        self.payloads.advance(cycle);
         let idle: Vec<bool> = (0..streams(&self.config)).map(|stream| self.paces.idle(stream, cycle)).collect();
         let frame = self.frames.get(self.sending);
         let uniforms = frame.map_or(&[][..], |frame| &frame.uniforms);
@@ -197,6 +230,13 @@ impl Renderer {
             self.inputs.read_ready[port] = !is_idle(READ);
             self.inputs.write_ready[port] = !is_idle(WRITE);
             self.inputs.fragment_ready[port] = !is_idle(FRAGMENT);
+        }
+        for (port, idle) in idle[payload_streams(&self.config)..].chunks(OF_PAYLOADS).enumerate() {
+            if self.inputs.payload_data[port].is_none() || outputs.payload_data_ready[port] {
+                self.inputs.payload_data[port] = self.payloads.offer(port, cycle).filter(|_| !idle[0]);
+            }
+            self.inputs.payload_read_ready[port] = !idle[1];
+            self.inputs.payload_write_ready[port] = !idle[2];
         }
     }
 }

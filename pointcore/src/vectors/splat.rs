@@ -3,10 +3,12 @@
 use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
 use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::axi::ReadMaster;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
+use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Fragment, Pixel, Splat, Uniforms};
+use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, Splat, Uniforms, payload_bytes};
 use pointcore_contract::{fields, words};
 
 /// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end last.
@@ -16,7 +18,10 @@ use pointcore_contract::{fields, words};
 pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, VectorsError> {
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
     let bytes = u64::from(TILE_PIXELS * stride) * config.buffer_tiles() as u64;
-    let buffer_base = AddressSpace::new(base)?.take("a reconstruction buffer", bytes)?;
+    let mut space = AddressSpace::new(base)?;
+    let buffer_base = space.take("a reconstruction buffer", bytes)?;
+    let payloads = if config.has_payloads_in_memory() { Some(payloads(config, &mut space)?) } else { None };
+    let payload_base = payloads.as_ref().map(|regions| ("payload_base", regions[0].base));
     let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
 
     let splats = frame.records.iter().map(|splat| words(config, *splat));
@@ -31,18 +36,30 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
         memory_bits: config.bus.memory_bits,
         registers: writes(
             &SplatRegisters::registers(config),
-            [("buffer_base", buffer_base)].into_iter().chain(uniforms),
+            [("buffer_base", buffer_base)].into_iter().chain(payload_base).chain(uniforms),
         ),
         send: Packets::new("splat", &fields::<Splat>(config), &config.bus, splats),
         receive: Packets::new("fragment", &fields::<Fragment>(config), &config.bus, fragments),
-        memory: vec![Region {
-            name: "pixel",
-            port: "m_axi",
-            base: buffer_base,
-            bytes,
-            stride,
-            file: None,
-            contents: None,
-        }],
+        memory: std::iter::once(empty("pixel", "m_axi", buffer_base, bytes, stride))
+            .chain(payloads.into_iter().flatten())
+            .collect(),
     })
+}
+
+/// A region in which nothing lies.
+const fn empty(name: &'static str, port: &'static str, base: u32, bytes: u64, stride: u32) -> Region {
+    Region { name, port, base, bytes, stride, file: None, contents: None }
+}
+
+/// The regions of payloads, one behind the other, each behind a port of its own.
+fn payloads(config: &Config, space: &mut AddressSpace) -> Result<Vec<Region>, VectorsError> {
+    let beat_bits = config.bus.memory_bits;
+    let bytes = u64::from(payload_bytes(config, beat_bits));
+    let stride = Layout::record::<PayloadWord>(config).stride(beat_bits);
+    let base = space.take("payloads", bytes * u64::from(config.payload_ports()))?;
+    let ports = Ports::ALL.payload_reads.iter().take(config.payload_ports() as usize);
+    let region = |(number, port): (u32, &ReadMaster)| {
+        empty("payload", port.address.bus, base + number * bytes as u32, bytes, stride)
+    };
+    Ok((0..).zip(ports).map(region).collect())
 }

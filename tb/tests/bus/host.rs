@@ -1,14 +1,19 @@
 //! A host with memory around a core on AXI: registers, packets, bursts, all of them stalling.
 
 use std::collections::VecDeque;
+use std::iter::once;
 
 use pointcore_contract::bus::axi::{
     BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, SlaveBits, WriteBeat, WriteMaster,
 };
-use pointcore_contract::bus::config::{ADDRESS_BITS, TREE_WORD_BITS};
+use pointcore_contract::bus::config::{ADDRESS_BITS, BORDER_BYTES, TREE_WORD_BITS};
 use pointcore_contract::bus::packets::Packet;
-use pointcore_contract::bus::registers::{CONTROL, ERRORS, STATUS};
-use pointcore_contract::bus::{Config, Register};
+use pointcore_contract::bus::registers::{CONTROL, ERRORS, RegisterMap, STATUS, SplatRegisters};
+use pointcore_contract::bus::units::splat_axi;
+use pointcore_contract::bus::{Config, Layout, Register};
+use pointcore_contract::splat;
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::records::{Pixel, payload_bytes};
 use pointcore_contract::{self as contract, Words, read};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use rtl::Module;
@@ -102,7 +107,7 @@ pub struct Host<I: Packet, O: Packet> {
     packets_out: Drain,
     receiver: PacketIn<O>,
     reads: Vec<Reads>,
-    writes: Option<Writes>,
+    writes: Vec<Writes>,
     window: Option<(Feed, Feed, Drain)>,
     memory_order: MemoryOrder,
     /// Bytes behind all memory ports.
@@ -129,14 +134,34 @@ pub struct Around {
     pub packets: (PacketBusIn, PacketBusOut),
     /// Its memory ports that read.
     pub reads: Vec<ReadMaster>,
-    /// Its memory port that writes.
-    pub writes: Option<WriteMaster>,
+    /// Its memory ports that write.
+    pub writes: Vec<WriteMaster>,
     /// Its window for the tree, and how wide that is.
     pub window: Option<(Slave, SlaveBits)>,
     /// Bytes of memory.
     pub memory: usize,
     /// What the memory does first.
     pub memory_order: MemoryOrder,
+}
+
+/// What the renderer has around it, its buffer at an address, and where its payloads lie behind that.
+pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: MemoryOrder) -> (Around, u32) {
+    const TOP: splat_axi::Ports = splat_axi::Ports::ALL;
+    let bits = config.bus.memory_bits;
+    let tile_bytes = TILE_PIXELS * Layout::record::<Pixel>(config).stride(bits);
+    let payload_base = (buffer_base + config.buffer_tiles() as u32 * tile_bytes).next_multiple_of(BORDER_BYTES);
+    let ports = config.payload_ports();
+    let around = Around {
+        map: SplatRegisters::registers(config),
+        registers: TOP.registers,
+        packets: (TOP.splats, TOP.fragments),
+        reads: once(TOP.reads).chain(TOP.payload_reads.into_iter().take(ports as usize)).collect(),
+        writes: once(TOP.writes).chain(TOP.payload_writes.into_iter().take(ports as usize)).collect(),
+        window: None,
+        memory: (payload_base + ports * payload_bytes(config, bits)) as usize,
+        memory_order,
+    };
+    (around, payload_base)
 }
 
 /// What a memory does first.
@@ -172,7 +197,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             )
         });
         let reads = around.reads.into_iter().map(|bus| Reads::new(&bench, bus, widths, random)).collect();
-        let writes = around.writes.map(|bus| Writes::new(&bench, bus, widths, random));
+        let writes = around.writes.into_iter().map(|bus| Writes::new(&bench, bus, widths, random)).collect();
         Self {
             widths,
             map: around.map,
@@ -203,7 +228,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             drains.push(address);
             feeds.push(data);
         }
-        if let Some(Writes { address, data, answer, .. }) = writes {
+        for Writes { address, data, answer, .. } in writes.iter_mut() {
             drains.extend([address, data]);
             feeds.push(answer);
         }
@@ -214,9 +239,11 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         feeds.into_iter().for_each(|feed| feed.offer(bench));
         drains.into_iter().for_each(|drain| drain.offer(bench));
         let reads_wait = reads.iter().any(|reads| !reads.data.items.is_empty());
-        if let (true, MemoryOrder::ReadsFirst, Some(writes)) = (reads_wait, *memory_order, writes) {
-            writes.address.wait(bench);
-            writes.data.wait(bench);
+        if reads_wait && *memory_order == MemoryOrder::ReadsFirst {
+            for writes in writes {
+                writes.address.wait(bench);
+                writes.data.wait(bench);
+            }
         }
         if self.is_held {
             packets_out.wait(bench);
@@ -236,7 +263,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             }
         }
         self.reads.iter_mut().for_each(|reads| reads.step(&self.bench, &self.memory, beat_bytes));
-        if let Some(writes) = &mut self.writes {
+        for writes in &mut self.writes {
             writes.step(&self.bench, &mut self.memory, beat_bytes);
         }
     }

@@ -185,6 +185,10 @@ pub struct SplatSettings {
     /// Address of the reconstruction buffer.
     #[bits(REGISTER_BITS)]
     pub buffer_base: u32,
+    /// Address of the payloads.
+    #[when(config.has_payloads_in_memory())]
+    #[bits(REGISTER_BITS)]
+    pub payload_base: u32,
 }
 
 impl RegisterMap for SplatRegisters {
@@ -196,7 +200,10 @@ impl RegisterMap for SplatRegisters {
 
     fn registers(config: &splat::Config) -> Vec<Register> {
         let mut map = common(identity(SPLAT), Self::STARTS, &fields::<Self::Events>(config));
-        map.extend(settings::<SplatSettings>(config, SplatSettings { buffer_base: MapEntry::base(0) }));
+        map.extend(settings::<SplatSettings>(
+            config,
+            SplatSettings { buffer_base: MapEntry::base(0), payload_base: MapEntry::base(4) },
+        ));
         let width = config.geometry.width();
         let uniforms = fields::<Uniforms>(config).into_iter().zip(uniform_formats(config));
         map.extend((UNIFORMS..).step_by(4).zip(uniforms).map(|(address, (field, format))| {

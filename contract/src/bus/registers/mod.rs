@@ -108,7 +108,7 @@ pub struct ErrorInputs {
     /// A burst was refused, or ended where it must not.
     #[when(sources.burst > 0)]
     #[bits(sources.burst)]
-    pub burst_error: u8,
+    pub burst_error: u16,
     /// A packet was refused.
     #[when(sources.packet > 0)]
     #[bits(sources.packet)]
@@ -116,7 +116,7 @@ pub struct ErrorInputs {
     /// Memory answered with an error.
     #[when(sources.memory > 0)]
     #[bits(sources.memory)]
-    pub memory_error: u8,
+    pub memory_error: u32,
 }
 
 /// What counts in a run.

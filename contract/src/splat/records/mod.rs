@@ -7,6 +7,7 @@
 mod copy;
 mod footprint;
 mod motion;
+mod payload;
 mod pixel;
 mod sample;
 mod slot;
@@ -18,6 +19,9 @@ pub use copy::{
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
 pub use motion::{MovingFootprint, MovingPlace, MovingSample, MovingSplat, SetupMovingSplat};
+pub use payload::{
+    PART_BITS, Payload, PayloadPlace, PayloadWord, StoredWord, payload_bytes, payload_parts, payload_word_bits,
+};
 pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, StoredPixel, buffer_tile, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};

@@ -3,8 +3,9 @@
 use crate::splat::Config;
 use crate::splat::config::SLOT_BANKS;
 use crate::splat::records::{
-    ArrivedCopy, CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, Pixel, PixelRun, PlacedCopy, SetupSplat,
-    Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, StoredPixel, TileCopy,
+    ArrivedCopy, CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, PayloadPlace, PayloadWord, Pixel,
+    PixelRun, PlacedCopy, SetupSplat, Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, StoredPixel, StoredWord,
+    TileCopy,
 };
 use crate::unit;
 
@@ -30,6 +31,30 @@ pub struct Payloads {
     placed: In<PlacedCopy>,
     /// The same with their payload.
     out: Out<CompleteCopy>,
+    /// Words of payloads for memory.
+    #[when(config.has_payloads_in_memory())]
+    write: Out<StoredWord>,
+    /// Words from there, those of each placed copy one after the other.
+    #[when(config.has_payloads_in_memory())]
+    data: In<PayloadWord>,
+    /// A copy's words were all taken in the last cycle from where they had come to.
+    #[when(config.has_payloads_in_memory())]
+    read: Output<bool>,
+}
+
+/// Asks memory for payloads before their copies are drawn.
+#[unit(splat_prefetch, config: Config)]
+#[when(config.has_payloads_in_memory())]
+pub struct Prefetch {
+    /// Copies in order of tiles.
+    #[port("in")]
+    input: In<TileCopy>,
+    /// The same.
+    out: Out<TileCopy>,
+    /// The payloads wanted, in this order.
+    read: Out<PayloadPlace>,
+    /// A copy's words have left where they had come to.
+    left: Input<bool>,
 }
 
 /// Orders entries by tile, and within a tile by arrival (thesis 5.5.2).

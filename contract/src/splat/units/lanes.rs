@@ -2,7 +2,9 @@
 
 use super::events::LaneEvents;
 use crate::splat::Config;
-use crate::splat::records::{FinishedPixel, Fragment, Pixel, PixelRun, SplatCopy, StoredPixel};
+use crate::splat::records::{
+    FinishedPixel, Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, StoredWord,
+};
 use crate::unit;
 
 /// Sends copies to one of two sides, by the rasterizer whose tile it is.
@@ -32,6 +34,15 @@ pub struct Lane {
     write: Out<StoredPixel>,
     /// Pixels of a finished frame.
     pixel: Out<FinishedPixel>,
+    /// Payloads wanted.
+    #[when(config.has_payloads_in_memory())]
+    payload_read: Out<PayloadPlace>,
+    /// Their words, in order.
+    #[when(config.has_payloads_in_memory())]
+    payload_data: In<PayloadWord>,
+    /// Words of payloads that are kept.
+    #[when(config.has_payloads_in_memory())]
+    payload_write: Out<StoredWord>,
     /// Its number.
     #[when(config.rasterizers > 1)]
     #[bits(config.rasterizer_bits())]

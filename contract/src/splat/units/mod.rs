@@ -8,7 +8,7 @@ mod samples;
 mod splats;
 mod whole;
 
-pub use copies::{heap, lists, payloads, reorder, splitter, tile_cache};
+pub use copies::{heap, lists, payloads, prefetch, reorder, splitter, tile_cache};
 pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
 pub use lanes::{arbiter, collector, distributor, fragment_collector, lane};
 pub use motion::{motion_evaluation, motion_setup};
@@ -20,7 +20,7 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last. Those of motion stand beside it.
-pub static UNITS: [&Unit<Config>; 21] = [
+pub static UNITS: [&Unit<Config>; 22] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
@@ -29,6 +29,7 @@ pub static UNITS: [&Unit<Config>; 21] = [
     &heap::UNIT,
     &lists::UNIT,
     &reorder::UNIT,
+    &prefetch::UNIT,
     &tile_cache::UNIT,
     &rasterizer::UNIT,
     &weighting::UNIT,

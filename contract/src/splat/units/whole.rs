@@ -2,7 +2,9 @@
 
 use super::events::Events;
 use crate::splat::Config;
-use crate::splat::records::{Fragment, Pixel, PixelRun, Splat, StoredPixel, UniformWrite};
+use crate::splat::records::{
+    Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, Splat, StoredPixel, StoredWord, UniformWrite,
+};
 use crate::unit;
 
 /// The renderer.
@@ -27,6 +29,15 @@ pub struct Top {
     /// Fragments of the image, each of one stream; a frame ends when all streams have ended it.
     #[count(config.memory_ports)]
     fragment: [Out<Fragment>; 4],
+    /// Payloads wanted, where they are in memory: one port a rasterizer.
+    #[count(config.payload_ports())]
+    payload_read: [Out<PayloadPlace>; 8],
+    /// Their words, in order.
+    #[count(config.payload_ports())]
+    payload_data: [In<PayloadWord>; 8],
+    /// Words of payloads that are kept.
+    #[count(config.payload_ports())]
+    payload_write: [Out<StoredWord>; 8],
     /// What happened in the last cycle.
     #[port("")]
     events: Output<Events>,

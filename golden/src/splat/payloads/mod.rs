@@ -2,23 +2,34 @@
 //!
 //! Copies leave it behind before the reorder stage and get it back behind the tile cache, in any order, a word a cycle.
 
+mod chip;
+mod memory;
 mod places;
 #[cfg(test)]
 mod tests;
+mod words;
 
 use crate::stream::Skid;
 use crate::unit::Model;
+use chip::Chip;
+use memory::Memory;
 use places::{Closed, Places};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Attributes, CompleteCopy, Footprint, PlacedCopy, SplatCopy, TileCopy};
+use pointcore_contract::splat::records::{CompleteCopy, Payload, PlacedCopy, SplatCopy, TileCopy};
 pub use pointcore_contract::splat::units::payloads::{In, Out};
 
-/// The copy that arrived last.
+/// A copy that comes in, and the payload of the splat that it begins.
 #[derive(Clone, Copy, Debug)]
-struct Arrived {
+struct Arriving {
     copy: TileCopy,
-    /// Words of its payload that are written.
-    written: u32,
+    payload: Option<Payload>,
+}
+
+/// Where payloads are kept.
+#[derive(Clone, Debug)]
+enum Store {
+    Chip(Chip),
+    Memory(Box<Memory>),
 }
 
 /// The unit.
@@ -27,18 +38,17 @@ pub struct Payloads {
     /// Words of a payload.
     beats: u32,
     places: Places,
-    payloads: Vec<(Footprint, Attributes)>,
+    store: Store,
     /// Where the splat lies that began last.
     place: u16,
     /// That splat, while its copies are coming.
     open: Option<Closed>,
     /// The copy at the input needs no place.
     passes: bool,
-    arrived: Option<Arrived>,
     next: Skid<PlacedCopy>,
     /// The copy whose payload is read.
     current: Option<PlacedCopy>,
-    /// Its word that the memory shows.
+    /// Its word that the memory on the chip shows.
     beat: u32,
     out: Option<CompleteCopy>,
 }
@@ -47,14 +57,18 @@ impl Payloads {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
+        let store = if config.has_payloads_in_memory() {
+            Store::Memory(Box::new(Memory::new(config)))
+        } else {
+            Store::Chip(Chip::new(config))
+        };
         Self {
             beats: config.payload_beats,
             places: Places::new(config),
-            payloads: vec![Default::default(); config.splats_held() as usize],
+            store,
             place: 0,
             open: None,
             passes: false,
-            arrived: None,
             next: Skid::default(),
             current: None,
             beat: 0,
@@ -63,16 +77,20 @@ impl Payloads {
     }
 
     fn in_ready(&self) -> bool {
-        self.arrived.is_none() && self.places.may_close() && (self.places.free().is_some() || self.passes)
+        let (has_room, has_payload_room) = match &self.store {
+            Store::Chip(chip) => (chip.has_room(), true),
+            Store::Memory(memory) => (memory.has_room(), memory.has_payload_room()),
+        };
+        let may_begin = has_payload_room && self.places.free().is_some();
+        has_room && self.places.may_close() && (may_begin || self.passes)
     }
 
-    /// What is taken becomes the copy at hand; returns whether it took the free place.
-    fn take(&mut self, input: SplatCopy) -> bool {
+    /// What is taken, with its place.
+    fn take(&mut self, input: SplatCopy) -> Arriving {
         let SplatCopy { end, first, footprint, attributes, bounds, diagonals, tile } = input;
         let begins = first && !end;
         if begins {
             self.place = self.places.free().expect("a first copy is not taken without a place");
-            self.payloads[usize::from(self.place)] = (footprint, attributes);
             self.open = Some(Closed { place: self.place, copies: 1 });
         } else if let Some(open) = &mut self.open {
             open.copies += 1;
@@ -82,8 +100,7 @@ impl Payloads {
         } else {
             TileCopy { end, bounds, diagonals, tile, splat: self.place }
         };
-        self.arrived = Some(Arrived { copy, written: if begins { 1 } else { self.beats } });
-        begins
+        Arriving { copy, payload: begins.then_some(Payload { footprint, attributes }) }
     }
 
     /// The way in: returns the splat that is closed, and whether another took the free place.
@@ -92,45 +109,55 @@ impl Payloads {
         let begins_or_ends = inputs.input.is_some_and(|copy| copy.first || copy.end);
         self.passes = taken.is_none() && inputs.input.is_some_and(|copy| !copy.first || copy.end);
         let closed = if begins_or_ends && self.places.may_close() { self.open.take() } else { None };
-
-        let shown = self.shown().is_some();
-        if let Some(arrived) = &mut self.arrived {
-            arrived.written = self.beats.min(arrived.written + 1);
-            if shown && inputs.copy_ready {
-                self.arrived = None;
-            }
+        let arriving = taken.map(|copy| self.take(copy));
+        match &mut self.store {
+            Store::Chip(chip) => chip.step(arriving, inputs.copy_ready),
+            Store::Memory(memory) => memory.arrive(arriving, inputs.copy_ready, inputs.write_ready),
         }
-        (closed, taken.is_some_and(|copy| self.take(copy)))
+        (closed, arriving.is_some_and(|arriving| arriving.payload.is_some()))
     }
 
     fn shown(&self) -> Option<TileCopy> {
-        self.arrived.filter(|arrived| arrived.written + 1 >= self.beats).map(|arrived| arrived.copy)
+        match &self.store {
+            Store::Chip(chip) => chip.shown(),
+            Store::Memory(memory) => memory.shown(),
+        }
+    }
+
+    /// The payload of the current copy, if all of it has been read.
+    fn payload(&self, current: &PlacedCopy) -> Option<Payload> {
+        match &self.store {
+            Store::Chip(chip) => (self.beat + 1 == self.beats).then(|| chip.payload(current.splat)),
+            Store::Memory(memory) => memory.payload(),
+        }
     }
 
     /// The way out: returns the place that a copy has been read from.
     fn leave(&mut self, inputs: &In) -> Option<u16> {
-        let is_read = self.beat + 1 == self.beats;
         let has_room = self.out.is_none() || inputs.out_ready;
-        let read = self.current.filter(|_| is_read && has_room);
+        let read = self.current.filter(|_| has_room).and_then(|current| Some((current, self.payload(&current)?)));
         if has_room {
-            self.out = read.map(|read| self.complete(&read));
+            self.out = read.map(|(current, payload)| complete(current, payload));
+        }
+        if let Store::Memory(memory) = &mut self.store {
+            memory.leave(self.current.is_some(), has_room, inputs.data);
         }
         let advances = self.current.is_none() || read.is_some();
         if advances {
             self.current = self.next.out().copied();
             self.beat = 0;
-        } else if !is_read {
+        } else if self.beat + 1 < self.beats {
             self.beat += 1;
         }
         self.next.step(inputs.placed, advances);
-        read.map(|read| read.splat)
+        read.map(|(read, _)| read.splat)
     }
+}
 
-    fn complete(&self, placed: &PlacedCopy) -> CompleteCopy {
-        let PlacedCopy { bounds, diagonals, tile, splat, slot } = *placed;
-        let (footprint, attributes) = self.payloads[usize::from(splat)];
-        CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot }
-    }
+fn complete(placed: PlacedCopy, payload: Payload) -> CompleteCopy {
+    let PlacedCopy { bounds, diagonals, tile, splat: _, slot } = placed;
+    let Payload { footprint, attributes } = payload;
+    CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot }
 }
 
 impl Model for Payloads {
@@ -139,7 +166,17 @@ impl Model for Payloads {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        Out { in_ready: self.in_ready(), copy: self.shown(), placed_ready: self.next.in_ready(), out: self.out }
+        let mut out = Out {
+            in_ready: self.in_ready(),
+            copy: self.shown(),
+            placed_ready: self.next.in_ready(),
+            out: self.out,
+            ..Out::default()
+        };
+        if let Store::Memory(memory) = &self.store {
+            (out.write, out.data_ready, out.read) = (memory.write(), memory.data_ready(), memory.read);
+        }
+        out
     }
 
     fn clock(&mut self, inputs: &In) {

@@ -1,15 +1,21 @@
 use super::*;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
+use pointcore_contract::splat::config::PayloadStore;
+use pointcore_contract::splat::records::{PayloadWord, StoredWord};
+use std::collections::{HashMap, VecDeque};
 
 /// Cycles without a transfer after which nothing is on its way.
 const QUIET_CYCLES: u32 = 60;
 
-/// What lies between the two sides: copies leave it in any order, and ends do not.
+/// What lies between the two sides: copies leave it in any order, and ends do not. Words of their payloads are asked for then.
 struct Between {
     copies: Vec<TileCopy>,
     room: usize,
     offer: Option<PlacedCopy>,
+    /// What memory holds, by place.
+    words: HashMap<u16, Vec<PayloadWord>>,
+    data: VecDeque<PayloadWord>,
 }
 
 impl Between {
@@ -22,8 +28,16 @@ impl Between {
         if self.offer.is_none() && !self.copies.is_empty() && random.bool() {
             let TileCopy { bounds, diagonals, tile, splat, .. } = self.copies.remove(random.usize(..self.copies.len()));
             self.offer = Some(PlacedCopy { bounds, diagonals, tile, splat, slot: 3 });
+            self.data.extend(self.words.get(&splat).into_iter().flatten());
         }
         self.offer
+    }
+
+    /// Memory takes a word; a payload begins with its first.
+    fn write(&mut self, StoredWord { splat, word, value }: StoredWord) {
+        let words = self.words.entry(splat).or_default();
+        words.truncate(word.into());
+        words.push(value);
     }
 }
 
@@ -47,7 +61,8 @@ fn copies(random: &mut Rng, tiles: u32, splats: u32) -> Vec<SplatCopy> {
 
 /// Sends copies through; returns what left, and the most copies between.
 fn run(payloads: &mut Payloads, sent: &[SplatCopy], room: usize, random: &mut Rng) -> (Vec<CompleteCopy>, usize) {
-    let mut between = Between { copies: Vec::new(), room, offer: None };
+    let (words, data) = (HashMap::new(), VecDeque::new());
+    let mut between = Between { copies: Vec::new(), room, offer: None, words, data };
     let (mut received, mut most, mut quiet, mut ends) = (Vec::new(), 0, 0, 0);
     let mut input = None;
     let mut rest = sent.iter().copied();
@@ -55,7 +70,14 @@ fn run(payloads: &mut Payloads, sent: &[SplatCopy], room: usize, random: &mut Rn
         let out = payloads.outputs();
         input = input.or_else(|| if random.u8(..4) > 0 { rest.next() } else { None });
         let (copy_ready, placed) = (between.takes(random), between.offer(random));
-        let inputs = In { input, copy_ready, placed, out_ready: random.bool() };
+        let data = between.data.front().copied().filter(|_| random.bool());
+        let inputs = In { input, copy_ready, placed, out_ready: random.bool(), write_ready: random.bool(), data };
+        if data.is_some() && out.data_ready {
+            between.data.pop_front();
+        }
+        if let Some(word) = out.write.filter(|_| inputs.write_ready) {
+            between.write(word);
+        }
         payloads.clock(&inputs);
         let before = (received.len(), between.copies.len(), input.is_some());
         received.extend(out.out.filter(|_| inputs.out_ready));
@@ -81,6 +103,8 @@ fn every_copy_gets_its_payload_and_every_place_is_free_again() {
                 height: 16,
                 splat_levels: random.u32(0..=3),
                 payload_beats: random.u32(1..=8),
+                payload: if random.bool() { PayloadStore::Chip } else { PayloadStore::Memory },
+                payload_ahead: random.u32(1..=8),
                 ..Config::default()
             };
             let mut payloads = Payloads::new(&config);
@@ -111,7 +135,13 @@ fn copies_follow_each_other_as_fast_as_their_words() {
         let (mut placed, mut left) = (None, Vec::new());
         for cycle in 0..400_u32 {
             let out = payloads.outputs();
-            payloads.clock(&In { input: Some(copy), copy_ready: placed.is_none(), placed, out_ready: true });
+            payloads.clock(&In {
+                input: Some(copy),
+                copy_ready: placed.is_none(),
+                placed,
+                out_ready: true,
+                ..In::default()
+            });
             if placed.is_none() {
                 placed = out.copy.map(|TileCopy { splat, .. }| PlacedCopy { splat, ..PlacedCopy::default() });
             } else if out.placed_ready {

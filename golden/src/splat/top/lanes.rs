@@ -7,6 +7,7 @@ use crate::splat::{Arbiter, Collector, Distributor, Lane, Latencies, arbiter, di
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::SplatCopy;
+use pointcore_contract::splat::units::top::In;
 use pointcore_contract::splat::units::{Events, collector};
 
 /// What lanes and the units between them show in a cycle.
@@ -58,10 +59,10 @@ impl Shown {
         (self.ports()..2 * self.ports()).map(|node| self.node(node))
     }
 
-    /// What each node sees where the splitter shows a copy and each port sees one of `ports`; a lane's inputs are at `lanes.len()` and
-    /// its number.
+    /// What each node sees where the splitter shows a copy, each port sees one of `ports`, and the core `inputs`; a lane's are at
+    /// `lanes.len()` and its number.
     #[must_use]
-    pub fn seen(&self, copy: Option<SplatCopy>, ports: &[lane::In]) -> Vec<lane::In> {
+    pub fn seen(&self, copy: Option<SplatCopy>, ports: &[lane::In], inputs: &In) -> Vec<lane::In> {
         let mut seen = vec![lane::In::default(); 2 * self.lanes.len()];
         seen[ports.len()..2 * ports.len()].copy_from_slice(ports);
         for (node, (arbiter, collector)) in (ports.len()..).zip(self.arbiters.iter().zip(&self.collectors)) {
@@ -86,7 +87,12 @@ impl Shown {
             seen[2 * node].input = distributor.low;
             seen[2 * node + 1].input = distributor.high;
         }
-        (0..).zip(&mut seen[self.lanes.len()..]).for_each(|(number, lane)| lane.number = number);
+        for (number, lane) in seen[self.lanes.len()..].iter_mut().enumerate() {
+            lane.number = number as u8;
+            lane.payload_read_ready = inputs.payload_read_ready[number];
+            lane.payload_data = inputs.payload_data[number];
+            lane.payload_write_ready = inputs.payload_write_ready[number];
+        }
         seen
     }
 
@@ -141,9 +147,9 @@ impl Lanes {
         }
     }
 
-    /// One clock edge of units that show this, where the splitter shows a copy and each port sees one of `ports`.
-    pub fn step(&mut self, copy: Option<SplatCopy>, ports: &[lane::In], shown: &Shown) {
-        let seen = shown.seen(copy, ports);
+    /// One clock edge of units that show this, where the splitter shows a copy, each port sees one of `ports`, and the core `inputs`.
+    pub fn step(&mut self, copy: Option<SplatCopy>, ports: &[lane::In], inputs: &In, shown: &Shown) {
+        let seen = shown.seen(copy, ports, inputs);
         for (node, distributor) in (1..).zip(&mut self.distributors) {
             distributor.clock(&distributor::In {
                 input: seen[node].input,

@@ -117,7 +117,7 @@ impl Top {
         self.frame_set_up = setup.out.is_some_and(|splat| splat.end) && splitter.in_ready;
         self.splitter.clock(&splitter::In { input: setup.out, out_ready: lanes.in_ready() });
         let ports = shown.ports_see(inputs, uniforms.filter_scale & self.filter_scale_bits);
-        self.lanes.step(splitter.out, &ports, lanes);
+        self.lanes.step(splitter.out, &ports, inputs, lanes);
         for (port, lane::Out { pixel, .. }) in lanes.at_ports().enumerate() {
             self.ended[port] |= pixel.is_some_and(|pixel| pixel.end) && shown.normalizers[port].in_ready;
             self.normalizers[port].clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready[port] });
@@ -148,6 +148,11 @@ impl Model for Top {
         for (port, (at_port, normalizer)) in lanes.at_ports().zip(&self.normalizers).enumerate() {
             (out.read[port], out.data_ready[port]) = (at_port.read, at_port.data_ready);
             (out.write[port], out.fragment[port]) = (at_port.write, normalizer.outputs().out);
+        }
+        for (port, lane) in lanes.lanes.iter().enumerate().take(self.config.payload_ports() as usize) {
+            let lane::Out { payload_read, payload_data_ready, payload_write, .. } = lane.ports();
+            (out.payload_read[port], out.payload_data_ready[port]) = (payload_read, payload_data_ready);
+            out.payload_write[port] = payload_write;
         }
         out
     }

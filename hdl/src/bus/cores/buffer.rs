@@ -16,6 +16,8 @@ use rtl::{Expr, Instance, Module, address_width, cat};
 
 /// What lies in memory, and how memory is reached.
 pub(super) struct Buffer<'a, P: Record> {
+    /// What its wires' names begin with.
+    pub name: &'a str,
     /// What a pixel depends on.
     pub config: &'a P::Config,
     /// Pixels of a read at most.
@@ -59,13 +61,14 @@ impl<P: Record> Buffer<'_, P> {
         let stride_bits = Layout::record::<P>(self.config).stride(self.memory_bits).ilog2();
         let writer_idle = WriterPorts::<P>::ALL.idle.word_of(m, self.writes);
         let Run { tile, pixel, count } = read.record;
-        let address = m.wire("run_address", place(self.base, cat([tile, pixel]), stride_bits));
+        let named = |what: &str| format!("{}{what}", self.name);
+        let address = m.wire(&named("run_address"), place(self.base, cat([tile, pixel]), stride_bits));
         let reads = (self.reads, ReaderPorts::<P>::ALL.request);
         let request = ReadRequest { address, records: count };
         feed(m, &self.run_pixels, (read.valid, read.ready), reads, writer_idle, request);
         let Placed { tile, pixel, value } = write.record;
-        let address = m.wire("pixel_address", place(self.base, cat([tile, pixel]), stride_bits));
-        let no_read = m.wire("no_read", !read.valid);
+        let address = m.wire(&named("pixel_address"), place(self.base, cat([tile, pixel]), stride_bits));
+        let no_read = m.wire(&named("no_read"), !read.valid);
         let writes = (self.writes, WriterPorts::<P>::ALL.input);
         feed(m, self.config, (write.valid, write.ready), writes, no_read, Addressed { address, record: value });
     }
@@ -129,7 +132,7 @@ pub fn alone<P: Record>(
     let PixelPlace { tile, pixel } = PixelPlace::<Wires>::from_values(&bits, values.by_ref());
     let value = <Wired<P>>::from_values(config, values);
     let write = Flow { valid: write.valid, record: Placed { tile, pixel, value }, ready: write.ready };
-    let buffer = Buffer::<P> { config, run_pixels, memory_bits, base, reads, writes };
+    let buffer = Buffer::<P> { name: "", config, run_pixels, memory_bits, base, reads, writes };
     buffer.order(&mut m, read.map(|PixelRun { tile, pixel, count }| Run { tile, pixel, count }), write);
     let data = reader.record.of(&mut m, config, reads);
     Out::<P>::new("data", "valid", "The pixels.").export(&mut m, config, data);

@@ -2,6 +2,7 @@
 
 pub mod buffer;
 mod memory;
+mod payloads;
 pub mod points;
 pub mod search;
 pub mod splat;

@@ -2,7 +2,9 @@
 
 use std::rc::Rc;
 
-use pointcore_contract::bus::registers::{ErrorInputs, ErrorSources, RegisterMap, SplatRegisters, UniformBits};
+use pointcore_contract::bus::registers::{
+    ErrorInputs, ErrorSources, RegisterMap, SplatRegisters, SplatSettings, UniformBits,
+};
 use pointcore_contract::bus::units;
 use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
@@ -11,6 +13,7 @@ use pointcore_contract::splat::records::{Fragment, Pixel, PlacedPixel, Splat, St
 use pointcore_contract::splat::units::top::{PORTS, Ports as CorePorts};
 
 use super::buffer::{Buffer, Placed, Run};
+use super::payloads::{self, PortSignals};
 use super::wiring::{Abort, report};
 use crate::bus::{Top, frames, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
@@ -27,7 +30,10 @@ use crate::units::wires::layout;
 use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
 
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
-const ERROR_SOURCES: ErrorSources = ErrorSources { busy: 0, burst: 1, packet: 1, memory: 2 };
+fn error_sources(config: &Config) -> ErrorSources {
+    let memories = 1 + config.payload_ports();
+    ErrorSources { busy: 0, burst: memories, packet: 1, memory: 2 * memories }
+}
 
 /// Pixels that may be asked for and not taken: enough for memory's latency, so that one a cycle may come. A power of two.
 const PIXELS_ASKED_MAX: u32 = 128;
@@ -48,11 +54,11 @@ const WRITES: units::writer::Ports<Pixel> = units::writer::Ports::ALL;
 pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let top::Core { module: core_module, manifests } = top::core(config, options)?;
     let core_module = Rc::new(core_module);
-    let bus = config.bus;
+    let (bus, sources) = (config.bus, error_sources(config));
     let mut m = Module::new("splat_axi", "Surface-splat renderer on AXI.");
     // First, so that its modules have the names that they have without a bus.
     let core = m.instance("core", core_module.clone());
-    let control = m.instance("registers", registers::module::<SplatRegisters>(config, ERROR_SOURCES));
+    let control = m.instance("registers", registers::module::<SplatRegisters>(config, sources));
     let splats = m.instance("splats", packet_in::module::<Splat>(config, bus.stream_bits));
     let frames = m.instance("frames", frames::module(config));
     let fragments = m.instance("fragments", packet_out::module::<Fragment>(config, bus.stream_bits));
@@ -83,9 +89,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let set_up = PORTS.frame_set_up.word_of(&mut m, core);
     FRAMES.set_up.feed_word(&mut m, frames, set_up);
 
-    let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
-    let buffer =
-        Buffer::<Pixel> { config, run_pixels: RUN_PIXELS_MAX, memory_bits: bus.memory_bits, base, reads, writes };
+    let SplatSettings { buffer_base: base, payload_base } = CONTROL.settings.of(&mut m, config, control);
+    let (run_pixels, memory_bits) = (RUN_PIXELS_MAX, bus.memory_bits);
+    let buffer = Buffer::<Pixel> { name: "", config, run_pixels, memory_bits, base, reads, writes };
     let write = memory.write.of(&mut m, config, memory.instance);
     let write = write.map(|StoredPixel { surface, placed }| {
         let PlacedPixel { tile, pixel, value } = placed;
@@ -93,6 +99,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     });
     let (read, all_came) = read_pixels(&mut m, config, memory, reads, abort);
     buffer.order(&mut m, read, write);
+    let payloads = payloads::connect(&mut m, config, core, payload_base, abort);
 
     // The run ends when the last packet of its frames has left and memory has answered.
     let fragment = fragment.1.of(&mut m, config, fragment.0);
@@ -100,20 +107,23 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     FRAMES.sent.feed_word(&mut m, frames, fragment.transfer() & fragment.record.end);
     let no_frame = FRAMES.idle.word_of(&mut m, frames);
     let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
-    let idle = m.wire("is_idle", idle[0] & idle[1]);
-    let quiet = m.wire("quiet", idle & all_came);
+    let all =
+        |begun: Expr, more: fn(&PortSignals) -> Expr| payloads.iter().map(more).fold(begun, |all, more| all & more);
+    let idle = m.wire("is_idle", all(idle[0] & idle[1], |port| port.written));
+    let quiet = m.wire("quiet", all(idle & all_came, |port| port.all_came));
     let finished = abort.finished(&mut m, (no_frame & !start) & idle, quiet);
     CONTROL.finished.feed_word(&mut m, control, finished);
     CONTROL.occupied.feed_word(&mut m, control, abort.drops);
 
     let [read_error, write_error] = [READS.error.word_of(&mut m, reads), WRITES.error.word_of(&mut m, writes)];
+    let misplaced = READS.misplaced.word_of(&mut m, reads);
     let errors = ErrorInputs {
-        burst_error: READS.misplaced.word_of(&mut m, reads),
+        burst_error: cat(payloads.iter().map(|port| port.misplaced).chain([misplaced])),
         packet_error: SPLATS.refused.word_of(&mut m, splats),
-        memory_error: cat([write_error, read_error]),
+        memory_error: cat(payloads.iter().flat_map(|port| port.errors).chain([write_error, read_error])),
         ..ErrorInputs::default()
     };
-    CONTROL.errors.feed(&mut m, &ERROR_SOURCES, control, errors);
+    CONTROL.errors.feed(&mut m, &sources, control, errors);
     let events = (core, PORTS.events);
     let irq = report::<SplatRegisters, Splat, Fragment>(&mut m, config, control, events, [splats, fragments]);
     TOP.irq.drive_word(&mut m, irq);
@@ -161,8 +171,8 @@ fn read_pixels(m: &mut Module, config: &Config, client: Client, reads: Instance,
     let ready = m.forward("reads_run", 1);
     let begins = m.wire("run_begins", wanted.transfer());
     let asked = begins.repeat(wanted.record.count.width()) & wanted.record.count;
-    let awaited = unfinished(m, "awaited", asked, pixel.transfer(), bit(false));
-    let held = unfinished(m, "held", asked, stored.transfer(), abort.drops);
+    let awaited = unfinished(m, "pixels_awaited", PIXELS_ASKED_MAX, asked, pixel.transfer(), bit(false));
+    let held = unfinished(m, "pixels_held", PIXELS_ASKED_MAX, asked, stored.transfer(), abort.drops);
     // A run of any length fits.
     let fits = m.wire("run_fits", held.lt_lit(u128::from(PIXELS_ASKED_MAX - RUN_PIXELS_MAX + 1)));
     m.drive(wanted.ready, ready & fits);
@@ -171,12 +181,12 @@ fn read_pixels(m: &mut Module, config: &Config, client: Client, reads: Instance,
     (Flow { valid: wanted.valid & fits, record: run, ready }, awaited.is_zero())
 }
 
-/// Counts pixels that were asked for, less those that moved.
-fn unfinished(m: &mut Module, name: &str, asked: Expr, moved: Expr, clear: Expr) -> Reg {
-    let bits = address_width(PIXELS_ASKED_MAX + 1);
-    let pixels = m.reg_reset(&format!("pixels_{name}"), bits, 0);
-    m.next(pixels, clear.mux(lit(bits, 0), pixels + asked.zext(bits) - moved.zext(bits)));
-    pixels
+/// Counts records that were asked for, less those that moved: so many at most.
+pub(super) fn unfinished(m: &mut Module, name: &str, most: u32, asked: Expr, moved: Expr, clear: Expr) -> Reg {
+    let bits = address_width(most + 1);
+    let records = m.reg_reset(name, bits, 0);
+    m.next(records, clear.mux(lit(bits, 0), records + asked.zext(bits) - moved.zext(bits)));
+    records
 }
 
 /// How writes to uniforms come from the registers.

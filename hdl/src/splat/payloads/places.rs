@@ -105,7 +105,7 @@ impl Places {
     }
 
     /// In a cycle of `closes` a splat is closed, in one of `begun` another takes the free place, in one of `leaves` a copy of a place
-    /// leaves.
+    /// leaves. Returns whether one left in the cycle before.
     pub fn step(
         self,
         m: &mut Module,
@@ -113,7 +113,7 @@ impl Places {
         (closes, splat): (Expr, Closed<Wires>),
         begun: Expr,
         (leaves, place): (Expr, Expr),
-    ) {
+    ) -> Expr {
         let (bits, width) = (config.splat_bits(), config.copy_count_bits());
         self.closes.push(m, config, closes, splat);
         m.next(self.has_free, self.takes.mux(self.refilled, self.has_free & !begun));
@@ -163,5 +163,6 @@ impl Places {
         let releases = m.wire("releases", clears | (added.valid & added.number.is_zero()));
         m.assert("a_place_that_is_free_has_room", !releases | self.released.room);
         self.released.push(m, config, releases, Place { place: written });
+        left.valid.expr()
     }
 }

@@ -1,22 +1,11 @@
 //! Payloads in words.
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{ATTRIBUTES, Footprint};
-use pointcore_contract::{record, width};
+use pointcore_contract::splat::records::{Payload, PayloadWord, payload_word_bits};
+use pointcore_contract::width;
 
 use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, address_width, cat, lit};
-
-/// What the copies of a splat have in common.
-#[record(config: Config)]
-pub(super) struct Payload {
-    /// Footprint.
-    pub footprint: Footprint,
-    /// Attributes.
-    #[count(config.attributes())]
-    #[bits(config.attribute.width())]
-    pub attributes: [u32; ATTRIBUTES],
-}
 
 /// A word that is written.
 pub(super) struct WrittenWord {
@@ -36,9 +25,8 @@ pub(super) struct Words {
 
 impl Words {
     pub fn of(config: &Config) -> Self {
-        let (count, bits) = (config.payload_beats, width::<Payload>(config));
-        let width = bits.div_ceil(count);
-        Self { count, width, padding: count * width - bits }
+        let (count, bits) = (config.payload_beats, payload_word_bits(config));
+        Self { count, width: bits, padding: count * bits - width::<Payload>(config) }
     }
 
     /// The words of a payload.
@@ -52,6 +40,20 @@ impl Words {
     pub fn join(self, config: &Config, words: &[Expr]) -> Payload<Wires> {
         let padded = cat(words.iter().copied());
         Payload::unpack(config, padded.bits(padded.width() - 1, self.padding))
+    }
+
+    /// A word as it passes ports.
+    pub fn part(self, config: &Config, word: Expr) -> PayloadWord<Wires> {
+        let mut low = 0;
+        PayloadWord::from_fields(config, |part| {
+            low += part.width;
+            word.bits(low - 1, low - part.width)
+        })
+    }
+
+    /// A word that has passed them.
+    pub fn joined(self, config: &Config, word: PayloadWord<Wires>) -> Expr {
+        cat(word.values(config).into_iter().rev())
     }
 
     /// Bits of a word's number.

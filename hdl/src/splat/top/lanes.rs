@@ -96,6 +96,11 @@ impl Lanes {
         Ok(Self { lanes, root, ports, manifests })
     }
 
+    /// Each of them, by number.
+    pub fn each(&self) -> impl Iterator<Item = Instance> + '_ {
+        self.lanes.iter().copied()
+    }
+
     /// Tells all of them that the end of a frame has left.
     pub fn frame_sent(&self, m: &mut Module, sent: Expr) {
         for &lane in &self.lanes {

@@ -140,6 +140,23 @@ fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
     }
 }
 
+/// Connects the lanes to the memory of payloads, each by a port of its own.
+fn payloads(m: &mut Module, config: &Config, lanes: &Lanes) {
+    let lanes = || lanes.each().take(config.payload_ports() as usize);
+    for (port, lane) in PORTS.payload_read.iter().zip(lanes()) {
+        let read = lane::PORTS.payload_read.of(m, config, lane);
+        port.export(m, config, read);
+    }
+    for (port, lane) in PORTS.payload_data.iter().zip(lanes()) {
+        let data = port.declare(m, config);
+        lane::PORTS.payload_data.feed(m, config, lane, data);
+    }
+    for (port, lane) in PORTS.payload_write.iter().zip(lanes()) {
+        let write = lane::PORTS.payload_write.of(m, config, lane);
+        port.export(m, config, write);
+    }
+}
+
 /// Tells the lanes once the end of a frame has left all ports, of which each says so in one cycle.
 fn frame_sent(m: &mut Module, lanes: &Lanes, ends: &[Expr]) {
     let frame_leaves = if let [only] = ends {
@@ -172,6 +189,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     constants(&mut m, config, &instances, &uniforms);
     chain(&mut m, config, &instances);
     pixels(&mut m, config, &instances);
+    payloads(&mut m, config, &instances.lanes);
     let events = instances.lanes.events(&mut m, config);
     PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })

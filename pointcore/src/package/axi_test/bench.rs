@@ -15,10 +15,12 @@ const WINDOW: &str = include_str!("bench/window.sv");
 const IMAGES: &str = include_str!("bench/images.sv");
 const READ_MEMORY: &str = include_str!("bench/read_memory.sv");
 const BUFFER: &str = include_str!("bench/buffer.sv");
+const PAYLOAD: &str = include_str!("bench/payload.sv");
 const SCRIPT: &str = include_str!("bench/script.sv");
 const WINDOW_OPERATIONS: &str = include_str!("bench/window_operations.sv");
 const WINDOW_POSTED: &str = include_str!("bench/window_posted.sv");
 const BUFFER_OPERATIONS: &str = include_str!("bench/buffer_operations.sv");
+const PAYLOAD_OPERATIONS: &str = include_str!("bench/payload_operations.sv");
 
 /// The renderer's buffer.
 pub struct Buffer {
@@ -26,6 +28,16 @@ pub struct Buffer {
     pub tiles: u32,
     /// Beats of a pixel.
     pub pixel_beats: u32,
+}
+
+/// The renderer's payloads.
+pub struct Payloads {
+    /// What their ports are called, one a rasterizer.
+    pub ports: Vec<&'static str>,
+    /// Words that one of them has room for.
+    pub words: u32,
+    /// Beats of a word.
+    pub word_beats: u32,
 }
 
 /// A port by which the core reads.
@@ -69,6 +81,8 @@ pub struct Bench<'a> {
     pub has_window: bool,
     /// The buffer.
     pub buffer: Option<Buffer>,
+    /// The payloads, where they are in memory.
+    pub payloads: Option<Payloads>,
 }
 
 /// What the bench calls what is at a port.
@@ -119,6 +133,10 @@ impl Bench<'_> {
         )
     }
 
+    fn payload_ports(&self) -> &[&'static str] {
+        self.payloads.as_ref().map_or(&[], |payloads| &payloads.ports)
+    }
+
     /// Bits of each event: several rasterizers are counted.
     fn event_bits(&self) -> u32 {
         self.events.iter().map(|event| event.width).max().unwrap_or(1)
@@ -140,6 +158,13 @@ impl Bench<'_> {
             moves.push("stores");
             errors += " + write_errors";
         }
+        let mut stores = vec![];
+        for port in self.payload_ports() {
+            memories.push((*port).to_owned());
+            stores.push(format!("{port}_stores"));
+            errors += &format!(" + {port}_write_errors");
+        }
+        moves.extend(stores.iter().map(String::as_str));
         let each = |what: &str, operator: &str| {
             memories.iter().map(|name| format!("{name}_{what}")).collect::<Vec<_>>().join(operator)
         };
@@ -169,6 +194,12 @@ impl Bench<'_> {
         );
         if let Some(Buffer { tiles, pixel_beats }) = &self.buffer {
             text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
+        }
+        if let Some(Payloads { words, word_beats, .. }) = &self.payloads {
+            text += &format!(
+                "    localparam PAYLOAD_WORDS = {words}, WORD_BEATS = {word_beats}, WORD_BYTES = {};\n",
+                word_beats * bus.memory_bits / 8
+            );
         }
         text
     }
@@ -209,6 +240,13 @@ impl Bench<'_> {
         if self.buffer.is_some() {
             text += BUFFER;
             operations += BUFFER_OPERATIONS;
+        }
+        if self.payloads.is_some() {
+            text += "\n    reg [31:0] payload_base = 32'd0;\n    reg places_payloads = 1'b0;\n";
+            operations += PAYLOAD_OPERATIONS;
+        }
+        for (number, port) in self.payload_ports().iter().enumerate() {
+            text += &PAYLOAD.replace("NAME", port).replace("NUMBER", &number.to_string());
         }
         text += &self.joints();
         text += &self.instance();

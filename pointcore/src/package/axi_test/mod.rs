@@ -12,11 +12,12 @@ mod splat_script;
 
 use crate::search::SearchError;
 use crate::splat::SplatCore;
-use bench::{Bench, BenchMemory, Buffer};
+use bench::{Bench, BenchMemory, Buffer, Payloads};
 use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::process::queries::Outcome;
 use pointcore_contract::search::records::CachedResult;
-use pointcore_contract::splat::records::{Fragment, Pixel};
+use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, payload_bytes};
 use pointcore_contract::{fields, points, search, splat};
 use pointcore_tb::lockstep::LockstepError;
 use rtl::Design;
@@ -53,6 +54,7 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         },
         has_window: config.tree_cache == 0,
         buffer: None,
+        payloads: None,
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
@@ -78,6 +80,7 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
             .collect(),
         has_window: !has_tree,
         buffer: None,
+        payloads: None,
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
@@ -102,6 +105,15 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         buffer: Some(Buffer {
             tiles: config.buffer_tiles() as u32,
             pixel_beats: stride / (config.bus.memory_bits / 8),
+        }),
+        payloads: config.has_payloads_in_memory().then(|| {
+            let stride = Layout::record::<PayloadWord>(config).stride(config.bus.memory_bits);
+            let ports = Ports::ALL.payload_reads.iter().take(config.payload_ports() as usize);
+            Payloads {
+                ports: ports.map(|port| port.address.bus).collect(),
+                words: payload_bytes(config, config.bus.memory_bits) / stride,
+                word_beats: stride / (config.bus.memory_bits / 8),
+            }
         }),
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })

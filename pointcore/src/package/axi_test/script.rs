@@ -314,6 +314,11 @@ impl Script {
         self.operation(34, 0, &[base]);
     }
 
+    /// Places memories of payloads in which nothing is written.
+    pub fn place_payloads(&mut self, base: u32) {
+        self.operation(35, 0, &[base]);
+    }
+
     /// The whole script.
     pub fn finish(mut self) -> FinishedScript {
         let totals = [self.writes, self.reads, self.sent, self.received];

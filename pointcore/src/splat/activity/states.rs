@@ -133,7 +133,7 @@ impl States {
         counts.add(Unit::Setup, self.setup.see(placed, footprints), 1);
         // It makes several copies of a splat, so what is in it cannot be counted.
         counts.add(Unit::Splitter, Passage::default().see(footprints, copies), 1);
-        let seen = lanes.seen(splitter.out, &shown.ports_see(inputs, 0));
+        let seen = lanes.seen(splitter.out, &shown.ports_see(inputs, 0), inputs);
         for ((lane, shown), seen) in self.lanes.iter_mut().zip(&lanes.lanes).zip(&seen[lanes.lanes.len()..]) {
             lane.see(seen, shown, &mut counts);
         }
@@ -164,11 +164,15 @@ impl Default for Lane {
 impl Lane {
     /// What its units do, but for those that its events tell of.
     fn see(&mut self, inputs: &lane::In, shown: &lane::Shown, counts: &mut Counts) {
-        let lane::Shown { payloads, reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let lane::Shown { payloads, reorder, prefetch, tile_cache, rasterizer, weighting, accumulator } = shown;
         let light = Stream::new(payloads.copy.as_ref(), reorder.in_ready);
         let in_slots = Stream::new(tile_cache.out.as_ref(), payloads.placed_ready);
         let complete = Stream::new(payloads.out.as_ref(), rasterizer.in_ready);
-        let ordered = Stream::new(reorder.out.as_ref(), tile_cache.in_ready);
+        let (to_tiles, takes_ordered) = match prefetch {
+            Some(prefetch) => (prefetch.out, prefetch.in_ready),
+            None => (reorder.out, tile_cache.in_ready),
+        };
+        let ordered = Stream::new(reorder.out.as_ref(), takes_ordered);
         let samples = Stream::new(rasterizer.out.as_ref(), weighting.in_ready);
         let weighted = Stream::new(weighting.out.as_ref(), accumulator.in_ready);
         let finished = Stream::new(tile_cache.pixel.as_ref(), inputs.pixel_ready);
@@ -176,7 +180,7 @@ impl Lane {
         counts.add(Unit::Payloads, self.payloads.see(in_slots, complete), 1);
         counts.add(Unit::Reorder, self.reorder.see(light, ordered), 1);
         // An end stays there.
-        let copies = Stream::new(reorder.out.as_ref().filter(|copy| !copy.end), tile_cache.in_ready);
+        let copies = Stream::new(to_tiles.as_ref().filter(|copy| !copy.end), tile_cache.in_ready);
         counts.add(Unit::TileCache, self.tile_cache(copies, in_slots, finished), 1);
         counts.add(Unit::Weighting, self.weighting.see(samples, weighted), 1);
     }

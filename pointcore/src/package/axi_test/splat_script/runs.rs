@@ -13,6 +13,8 @@ use pointcore_contract::{fields, words as values};
 
 /// Where the buffer lies in each frame.
 const BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
+/// Where payloads lie in each frame.
+const PAYLOAD_BASES: [u32; 2] = [0x3c96_9000, 0xc369_6000];
 /// Frames of a run: with one camera and another, and with another screen filter.
 const AHEAD: [usize; 6] = [0, 1, 0, 2, 1, 1];
 /// Cycles in which what is under way comes to rest, or to wherever it is held.
@@ -46,6 +48,9 @@ impl<'a> Host<'a> {
     /// Writes what a frame needs, in any order.
     pub fn enter(&mut self, frame: usize) {
         self.control.set("buffer_base", BASES[frame]);
+        if self.config.has_payloads_in_memory() {
+            self.control.set("payload_base", PAYLOAD_BASES[frame]);
+        }
         self.control.script.write(INTERRUPT_ENABLE, 1);
         self.look(frame);
     }
@@ -84,10 +89,18 @@ impl<'a> Host<'a> {
         (0..self.count()).for_each(|index| self.send(index));
     }
 
+    /// Places a frame's memories, with nothing in them.
+    fn place(&mut self, frame: usize) {
+        self.control.script.place_buffer(BASES[frame]);
+        if self.config.has_payloads_in_memory() {
+            self.control.script.place_payloads(PAYLOAD_BASES[frame]);
+        }
+    }
+
     /// Expects all fragments, and an empty buffer.
     fn expect(&mut self) {
         self.expect_all(&[self.now]);
-        self.control.script.place_buffer(BASES[self.now]);
+        self.place(self.now);
     }
 
     /// Expects the fragments of frames that follow each other.
@@ -153,7 +166,7 @@ impl<'a> Host<'a> {
         for pauses in [Pauses::None, Pauses::Some] {
             self.control.script.pauses(pauses);
             self.expect_all(&AHEAD);
-            self.control.script.place_buffer(BASES[first]);
+            self.place(first);
             let mut count = 0;
             for (place, frame) in AHEAD.into_iter().enumerate() {
                 self.look(frame);
@@ -185,7 +198,7 @@ impl<'a> Host<'a> {
     pub fn run_disturbed(&mut self) {
         self.control.script.pauses(Pauses::Some);
         self.expect_all(&[self.now; 2]);
-        self.control.script.place_buffer(BASES[self.now]);
+        self.place(self.now);
         self.control.start();
         self.control.script.wait_low(WAITING);
         self.control.script.start_ahead();
