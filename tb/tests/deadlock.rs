@@ -4,9 +4,7 @@
 use std::sync::Arc;
 
 use fastrand::Rng;
-use pointcore::splat::memory::BufferTraffic;
-use pointcore::splat::payload_memory::PayloadTraffic;
-use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatCounters, SplatRunner};
 use pointcore::stimuli::configuration::renderer as random_renderer;
 use pointcore::stimuli::frames::{Lens, frames};
 use pointcore::stimuli::pace::{Paces, Turns};
@@ -99,10 +97,9 @@ const BEATS: u64 = 32;
 fn expected(config: &Config, frame: &EncodedFrame) -> (Vec<Fragment>, u64) {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
-    let BufferTraffic { pixels_read, pixels_written, .. } = outcome.counters.buffer;
-    let PayloadTraffic { words_read, words_written, .. } = outcome.counters.payloads;
+    let SplatCounters { buffer, payloads, .. } = outcome.counters;
     let packets = (frame.records.len() + outcome.fragments.len()) as u64;
-    let moved = packets + pixels_read + pixels_written + words_read + words_written;
+    let moved = packets + buffer.read + buffer.written + payloads.read + payloads.written;
     (outcome.fragments, BUS_SHARE * (outcome.counters.cycles + BEATS * moved))
 }
 

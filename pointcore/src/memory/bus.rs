@@ -66,7 +66,7 @@ impl Bus {
 
 /// Writes of one port, of which those that follow each other in a burst cost it once.
 #[derive(Clone, Copy, Debug)]
-pub struct WrittenBursts {
+pub(super) struct WrittenBursts {
     burst_bytes: u32,
     /// The burst written last, by block and number.
     last: Option<(usize, u32)>,

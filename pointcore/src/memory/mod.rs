@@ -5,8 +5,12 @@
 //! core does not take waits in the controller while the bus goes on.
 
 mod bus;
+mod read_write;
 
-pub use bus::{Bus, WrittenBursts};
+pub use bus::Bus;
+pub use read_write::{ReadWriteMemory, Traffic};
+
+use bus::WrittenBursts;
 
 use serde::Serialize;
 use std::collections::VecDeque;

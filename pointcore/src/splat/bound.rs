@@ -53,9 +53,8 @@ pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [Fram
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::memory::Traffic;
     use crate::splat::EventCounts;
-    use crate::splat::memory::BufferTraffic;
-    use crate::splat::payload_memory::PayloadTraffic;
 
     #[test]
     fn every_resource_has_its_interval() {
@@ -69,8 +68,8 @@ mod tests {
         let fates = Fates { drawn: 10, copies: 30, set_up: 12, near: 4, ..Fates::default() };
         let counters = SplatCounters {
             events: EventCounts { sample: 100, ..EventCounts::default() },
-            buffer: BufferTraffic { busy_cycles: 64, ..BufferTraffic::default() },
-            payloads: PayloadTraffic { busy_cycles: 48, ..PayloadTraffic::default() },
+            buffer: Traffic { busy_cycles: 64, ..Traffic::default() },
+            payloads: Traffic { busy_cycles: 48, ..Traffic::default() },
             ..SplatCounters::default()
         };
         let cycles = |config| bounds(config, &fates, &counters).map(|bound| bound.cycles);

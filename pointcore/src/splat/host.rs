@@ -1,10 +1,10 @@
 //! The host around the renderer: writes uniforms, sends splats, plays its memories, collects fragments, counts.
 
 use super::encode::EncodedFrame;
-use super::memory::{BufferTraffic, ReconstructionBuffer};
-use super::payload_memory::{PayloadMemory, PayloadTraffic};
+use super::memory::ReconstructionBuffer;
+use super::payload_memory::PayloadMemory;
 use crate::generated::Progress;
-use crate::memory::MemorySettings;
+use crate::memory::{MemorySettings, Traffic};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Fragment, UniformWrite};
 use pointcore_contract::splat::units::Events;
@@ -52,10 +52,10 @@ pub struct SplatCounters {
     pub cycles: u64,
     /// Cycles of each event.
     pub events: EventCounts,
-    /// What passed between core and reconstruction buffer.
-    pub buffer: BufferTraffic,
-    /// What passed between core and the memory of payloads.
-    pub payloads: PayloadTraffic,
+    /// Pixels that passed between core and reconstruction buffer.
+    pub buffer: Traffic,
+    /// Words that passed between core and the memory of payloads.
+    pub payloads: Traffic,
 }
 
 /// The host as a stimulus: it sees the outputs of the cycle before.

@@ -4,8 +4,7 @@ use super::bound::{FrameBound, bounds};
 use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
-use super::memory::BufferTraffic;
-use super::payload_memory::{PayloadTraffic, payload_word_bytes};
+use super::payload_memory::payload_word_bytes;
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::{Config, records};
 use pointcore_golden::reference::Frame;
@@ -137,8 +136,6 @@ impl SplatReport {
     #[must_use]
     pub fn new(run: &SplatRun) -> Self {
         let SplatCounters { cycles, events, buffer, payloads } = *run.counters;
-        let BufferTraffic { pixels_read, pixels_written, bytes: buffer_moved_bytes, .. } = buffer;
-        let PayloadTraffic { words_read, words_written, bytes: payload_moved_bytes, .. } = payloads;
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
         let ratio = |count: u64, each: u64| count as f64 / each.max(1) as f64;
         let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
@@ -178,12 +175,12 @@ impl SplatReport {
             slot_wait_fraction: share(slot_wait),
             starved_fraction: share(starved),
             blocked_fraction: share(blocked),
-            buffer_read_bytes: pixels_read * pixel_bytes,
-            buffer_write_bytes: pixels_written * pixel_bytes,
-            buffer_moved_bytes,
-            payload_read_bytes: words_read * word_bytes,
-            payload_write_bytes: words_written * word_bytes,
-            payload_moved_bytes,
+            buffer_read_bytes: buffer.read * pixel_bytes,
+            buffer_write_bytes: buffer.written * pixel_bytes,
+            buffer_moved_bytes: buffer.bytes,
+            payload_read_bytes: payloads.read * word_bytes,
+            payload_write_bytes: payloads.written * word_bytes,
+            payload_moved_bytes: payloads.bytes,
             memory: run.memory,
             fragments,
             psnr_db: is_comparable.then_some(run.psnr_db),

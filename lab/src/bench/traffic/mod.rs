@@ -73,7 +73,7 @@ impl Split {
     fn traffic(&self, scene: &Scene) -> Result<Traffic, LabError> {
         let runner = SplatRunner::new(&self.config, &scene.frame);
         let buffer = runner.golden(&scene.core)?.counters.buffer;
-        let pixel_bytes = (buffer.pixels_read + buffer.pixels_written) * u64::from(pixel_bytes(&self.config));
+        let pixel_bytes = (buffer.read + buffer.written) * u64::from(pixel_bytes(&self.config));
         let payload_bytes = match self.payload {
             Payload::OnChip => 0,
             Payload::InMemory => (scene.splats + scene.tiles.len() as u64) * payload_bytes(&self.config),

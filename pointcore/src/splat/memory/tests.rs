@@ -62,7 +62,7 @@ fn reads_return_what_was_written_after_the_latency_a_pixel_a_cycle() {
     let expected = (0..64).map(|pixel| (3 + pixel, 100 + pixel as u32)).chain((64..128).map(|pixel| (3 + pixel, 0)));
     assert_eq!(seen, expected.collect::<Vec<_>>());
     let traffic = buffer.traffic();
-    assert_eq!((traffic.pixels_read, traffic.pixels_written, traffic.busy_cycles), (128, 64, 128));
+    assert_eq!((traffic.read, traffic.written, traffic.busy_cycles), (128, 64, 128));
     assert_eq!(traffic.bytes, 192 * u64::from(pixel_bytes(&config())));
 }
 

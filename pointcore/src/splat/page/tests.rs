@@ -75,7 +75,7 @@ fn maps_and_timeline_sum_to_the_figures_of_the_report() {
     let (report, events) = (report(&session, &frame), frame.outcome.counters.events);
     let html = html(&session, &frame);
     let maps = data(&html, "maps")["maps"].clone();
-    let written = frame.outcome.counters.buffer.pixels_written;
+    let written = frame.outcome.counters.buffer.written;
     let expected = [report.samples, report.accumulated, events.hazard, written];
     assert!(expected.iter().all(|sum| *sum > 0), "{expected:?} would show nothing");
     for (index, sum) in expected.into_iter().enumerate() {
