@@ -1,12 +1,12 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
 use pointcore_contract::bus::registers::{
-    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, PointsRegisters, RegisterMap, RunCounter, SearchRegisters, SplatRegisters,
-    UniformBits,
+    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, PointsRegisters, RegisterMap, RunCounter, SearchRegisters,
+    SplatRegisters, UniformBits,
 };
 use pointcore_contract::bus::units::registers::Ports;
 use pointcore_contract::bus::{Register, RegisterKind, When};
-use pointcore_contract::{fields, points, search, splat};
+use pointcore_contract::{fields, points, record, search, splat};
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
 use pointcore_tb::lockstep::seeds;
@@ -16,12 +16,64 @@ use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 const ACCESSES: usize = 1500;
 /// Cycles of events in one of a test's runs.
 const LONG_CYCLES: u32 = 500_000;
+/// Bits of the event that has its counter run through all its bits.
+const TALLY_BITS: u32 = 24;
 /// A bit of `control`.
 const START: u32 = 1;
 /// Cycles that a read takes at most.
 const CYCLES_OF_A_READ: u64 = 80;
 /// Cycles between two accesses in which anything may happen.
 const EVENTFUL_CYCLES: u32 = 40;
+
+/// A core's registers and one more, the counter of an event of so many bits that it soon has all of its own: those of the
+/// core have a few, and a counter counts for minutes until it is full.
+macro_rules! tallied {
+    ($map:ident is $core:ty, $events:ident are [$($own:tt)+], [$($config:tt)+]) => {
+        #[record(config: $($config)+)]
+        pub struct $events {
+            /// The core's own.
+            #[with(config)]
+            pub core: $($own)+,
+            /// Anything.
+            #[name("event_tally")]
+            #[bits(TALLY_BITS)]
+            pub tally: u32,
+        }
+
+        struct $map;
+
+        impl RegisterMap for $map {
+            type Config = $($config)+;
+            type Settings = <$core as RegisterMap>::Settings;
+            type Events = $events;
+
+            const STARTS: When = <$core as RegisterMap>::STARTS;
+
+            fn registers(config: &Self::Config) -> Vec<Register> {
+                with_tally(<$core as RegisterMap>::registers(config))
+            }
+        }
+    };
+}
+
+tallied!(TalliedSplat is SplatRegisters, TalliedSplatEvents are [splat::units::Events], [splat::Config]);
+tallied!(TalliedSearch is SearchRegisters, TalliedSearchEvents are [search::units::Events], [search::Config]);
+tallied!(TalliedPoints is PointsRegisters, TalliedPointsEvents are [points::units::Events], [points::Config]);
+
+/// Registers with one more, behind the counters of events.
+fn with_tally(mut map: Vec<Register>) -> Vec<Register> {
+    let place_of = |register: &Register| match register.kind {
+        RegisterKind::Run(RunCounter::Event(place)) => Some(place),
+        _ => None,
+    };
+    let last = map.iter().rposition(|register| place_of(register).is_some()).unwrap();
+    let place = place_of(&map[last]).unwrap() + 1;
+    let kind = RegisterKind::Run(RunCounter::Event(place));
+    let tally = Register { name: "event_tally".into(), address: map[last].address + 4, kind, ..map[last].clone() };
+    assert!(map.iter().all(|register| register.address != tally.address), "{:x} is taken", tally.address);
+    map.insert(last + 1, tally);
+    map
+}
 
 /// The inputs for errors, their counters, and how many sources each has.
 fn errors(sources: ErrorSources) -> Vec<(String, ErrorCounter, u32)> {
@@ -152,9 +204,11 @@ impl Host {
 
     /// Events, errors, and now and then the end of a run.
     fn happens(&mut self, counted: &[(String, RunCounter, u32)], errors: &[(String, ErrorCounter, u32)]) {
+        // What is tallied is small and large.
+        let scale = if self.random.bool() { 0 } else { self.random.u32(..TALLY_BITS) };
         for _ in 0..self.random.u32(..EVENTFUL_CYCLES) {
             for (name, counter, width) in counted {
-                let events = self.random.u64(..1 << width);
+                let events = self.random.u64(..1 << width) >> if *width == TALLY_BITS { scale } else { 0 };
                 self.bench.set(name, events);
                 self.model.event(*counter, events as u32);
             }
@@ -190,12 +244,12 @@ impl Host {
         }
     }
 
-    /// As many events a cycle as there can be, for so long that counters have many of their bits.
+    /// As many events a cycle as there can be, for so long that counters have many of their bits, or all.
     fn run_on(&mut self, counted: &[(String, RunCounter, u32)]) {
         for (name, counter, width) in counted {
             let events = (1 << width) - 1;
             self.bench.set(name, events.into());
-            self.model.event(*counter, events * LONG_CYCLES);
+            self.model.event(*counter, u32::saturating_mul(events, LONG_CYCLES));
         }
         (0..LONG_CYCLES).for_each(|_| self.step());
     }
@@ -300,9 +354,9 @@ fn accesses_do_what_the_model_does() {
     let wide = splat::Config { rasterizers: 8, ..splat::Config::default() };
     let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
     for seed in seeds(SEEDS).unwrap() {
-        exchange::<SplatRegisters>(&splat::Config::default(), [0, 1, 1, 2], seed);
-        exchange::<SplatRegisters>(&wide, [0, 1, 1, 2], seed);
-        exchange::<SearchRegisters>(&b, [1, 2, 1, 2], seed);
-        exchange::<PointsRegisters>(&points::Config { search: b.clone(), ..points::Config::default() }, [0, 4, 1, 3], seed);
+        exchange::<TalliedSplat>(&splat::Config::default(), [0, 1, 1, 2], seed);
+        exchange::<TalliedSplat>(&wide, [0, 1, 1, 2], seed);
+        exchange::<TalliedSearch>(&b, [1, 2, 1, 2], seed);
+        exchange::<TalliedPoints>(&points::Config { search: b.clone(), ..points::Config::default() }, [0, 4, 1, 3], seed);
     }
 }
