@@ -3,6 +3,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 use pointcore_contract::Format;
 use pointcore_contract::search::{Config, units};
@@ -16,8 +17,16 @@ use crate::search::{all, lockstep, number, word};
 
 /// Queries of a phase; between phases settings and points change.
 const QUERIES: usize = 100;
+/// Powers of two within which the distances of a phase lie.
+const SIZES: RangeInclusive<i32> = -30..=30;
 /// How much farther than a ball query asks its neighborhood reaches.
 const EXTENSION: f32 = 1.3;
+
+/// Bits of an index.
+const INDEX_BITS: u32 = 10;
+/// What spreads places over all indices, and what gathers them again: their product ends with a one and as many zeros.
+const SPREAD: u64 = 409;
+const GATHER: u64 = 681;
 
 type Point = [f32; 3];
 
@@ -72,6 +81,10 @@ struct Surroundings {
     wanted: usize,
     /// Most cycles between queries.
     pause: u32,
+    /// How far apart points are.
+    size: f32,
+    /// Factors of the distance to the farthest neighbor, and of what is left of it.
+    scales: [f32; 2],
     queries: Vec<Query>,
     closed: usize,
     searches: Memory,
@@ -86,6 +99,16 @@ fn held(config: &Config, value: f32) -> f32 {
     number(config, word(config, value))
 }
 
+/// The index that a point or a query has by its place, in all of its bits.
+const fn index(place: usize) -> u64 {
+    place as u64 * SPREAD % (1 << INDEX_BITS)
+}
+
+/// The place that has an index.
+const fn place(index: u64) -> usize {
+    (index * GATHER % (1 << INDEX_BITS)) as usize
+}
+
 fn distance2(config: &Config, a: Point, b: Point) -> f32 {
     let [x, y, z] = std::array::from_fn(|axis| (a[axis] - b[axis]) * (a[axis] - b[axis]));
     held(config, x + y + z)
@@ -93,7 +116,8 @@ fn distance2(config: &Config, a: Point, b: Point) -> f32 {
 
 /// Up to `k` points nearer than the radius, nearest first.
 fn nearest(config: &Config, cloud: &[Point], point: Point, k: usize, radius2: f32) -> Vec<Neighbor> {
-    let mut near: Vec<_> = (0..).zip(cloud).map(|(index, &other)| (index, distance2(config, other, point))).collect();
+    let distance2 = |&other: &Point| distance2(config, other, point);
+    let mut near: Vec<_> = cloud.iter().enumerate().map(|(place, other)| (index(place), distance2(other))).collect();
     near.retain(|(_, distance2)| *distance2 < radius2);
     near.sort_by(|a, b| a.1.total_cmp(&b.1));
     near.truncate(k);
@@ -127,6 +151,8 @@ impl Surroundings {
             places: vec![],
             wanted: 0,
             pause: 0,
+            size: 1.0,
+            scales: [0.0; 2],
             queries: vec![],
             closed: 0,
             searches: Memory::default(),
@@ -145,8 +171,14 @@ impl Surroundings {
         self.pause = PAUSES[self.clouds.len()];
         let neighbors = self.config.neighbors as usize;
         let count = if many { 40 } else { feeds.random.usize(..neighbors) };
-        self.clouds.push((0..count).map(|_| random_point(&mut feeds.random, 1.0)).collect());
-        self.places = (0..self.config.neighbor_cache).map(|_| random_point(&mut feeds.random, 1.0)).collect();
+        self.size = 2.0_f32.powi(feeds.random.i32(SIZES));
+        self.clouds.push((0..count).map(|_| random_point(&mut feeds.random, self.size)).collect());
+        // Next to zero, queries differ from each other in all bits of their distance.
+        let places = (0..self.config.neighbor_cache).map(|_| {
+            let size = [1.0, 1.0, 0.01, 0.0][feeds.random.usize(..4)];
+            random_point(&mut feeds.random, size * self.size)
+        });
+        self.places = places.collect();
         self.wanted = if !many || feeds.random.bool() { neighbors } else { feeds.random.usize(2..=neighbors) };
         // Makes up for the rounding of squares and roots.
         let safety = 1.0 - 8.0 * 0.5_f32.powi(self.config.geometry.mantissa as i32);
@@ -156,9 +188,51 @@ impl Surroundings {
             Mode::Ball => (1, safety, 1.0),
         };
         // Smaller ones promise less.
-        let mut somewhat_less = |scale: f32| word(&self.config, scale * (1.0 - feeds.random.f32() / 16.0));
-        let setup = vec![ball, somewhat_less(far_scale), somewhat_less(margin_scale)];
-        feeds.feed("setup", setup);
+        let somewhat_less = |scale: f32| held(&self.config, scale * (1.0 - feeds.random.f32() / 16.0));
+        self.scales = [far_scale, margin_scale].map(somewhat_less);
+        let scales = self.scales.map(|scale| word(&self.config, scale));
+        feeds.feed("setup", vec![ball, scales[0], scales[1]]);
+    }
+
+    /// About how far the neighborhood of a query reaches.
+    fn cover(&self, query: &Query) -> f32 {
+        let cloud = &self.clouds[query.phase];
+        let near = nearest(&self.config, cloud, query.point, query.wanted, query.radius2);
+        let distance2 = |place: usize| near.get(place).map_or(0.0, |(_, distance2)| *distance2);
+        let last_but = |less: usize| near.len().checked_sub(less).map_or(0.0, distance2);
+        let [far2, near2] = match query.wanted - near.len() {
+            0 => [last_but(1), last_but(2)],
+            1 => [query.radius2, last_but(1)],
+            _ => [query.radius2; 2],
+        };
+        let near2 = if self.mode() == Mode::Ball { 0.0 } else { near2 };
+        far2.sqrt() * self.scales[0] - near2.sqrt()
+    }
+
+    /// A query that a neighborhood covers or not by a hair: its point, or the radius within which it must be complete.
+    fn by_a_hair(&self, random: &mut fastrand::Rng) -> Option<(Point, f32)> {
+        let phase = self.clouds.len() - 1;
+        let searched = |query: &&Query| query.phase == phase && query.closed && !query.cached;
+        let latest: Vec<_> = self.queries.iter().rev().filter(searched).take(self.places.len()).collect();
+        let query = latest.get(random.usize(..latest.len().max(1)))?;
+        let cover = self.cover(query);
+        let mantissa = self.config.geometry.mantissa as i32;
+        let hair = 0.5_f32.powi(random.i32(2..mantissa + 2));
+        let nearly = 1.0 + [-hair, 0.0, hair][random.usize(..3)];
+        if self.mode() == Mode::Ball && random.bool() {
+            return Some((query.point, cover * nearly));
+        }
+        let reach = if self.mode() == Mode::Ball { cover * random.f32() } else { 0.0 };
+        let margin = (cover - reach) * self.scales[1];
+        let direction = match random.u8(..2) {
+            0 => [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]][random.usize(..3)],
+            _ => {
+                let [x, y, z] = random_point(random, 1.0);
+                let length = (x * x + y * y + z * z).sqrt();
+                [x, y, z].map(|part| part / length)
+            }
+        };
+        Some((std::array::from_fn(|axis| query.point[axis] + direction[axis] * margin * nearly), reach))
     }
 
     /// Asks for the neighbors of a point near one of the places.
@@ -167,23 +241,27 @@ impl Surroundings {
             return;
         }
         let random = &mut feeds.random;
+        let by_a_hair = if random.u8(..3) == 0 { self.by_a_hair(random) } else { None };
+        let by_a_hair = by_a_hair.filter(|(point, reach)| [point[0], point[1], point[2], *reach].iter().all(|part| part.abs() < 2.0 * self.size));
         let size = [0.0, 0.001, 0.02, 0.2][random.usize(..4)];
-        let step = random_point(random, size);
+        let step = random_point(random, size * self.size);
         // Without pauses so many come from a place that not all of them find room to wait.
         let places = if self.pause == 0 { self.places.len().min(2) } else { self.places.len() };
         let place = random.usize(..places);
-        let point: Point = std::array::from_fn(|axis| held(&self.config, self.places[place][axis] + step[axis]));
+        let beside = std::array::from_fn(|axis| self.places[place][axis] + step[axis]);
+        let point = by_a_hair.map_or(beside, |(point, _)| point).map(|part| held(&self.config, part));
         self.places[place] = point;
         let (radius2, reach) = match self.mode() {
             Mode::Nearest => (f32::INFINITY, 0.0),
-            Mode::NearestWithin(radius) => (radius * radius, 0.0),
+            Mode::NearestWithin(radius) => (self.size * self.size * (radius * radius), 0.0),
             Mode::Ball => {
-                let reach = [0.125, 0.375, 0.875][random.usize(..3)];
+                let reach = self.size * [0.125, 0.375, 0.875][random.usize(..3)];
+                let reach = by_a_hair.map_or(reach, |(_, reach)| held(&self.config, reach));
                 (held(&self.config, (EXTENSION * reach) * (EXTENSION * reach)), reach)
             }
         };
         let word = |value| word(&self.config, value);
-        let mut item = vec![self.queries.len() as u64, self.wanted as u64, word(radius2)];
+        let mut item = vec![index(self.queries.len()), self.wanted as u64, word(radius2)];
         item.extend(point.map(word));
         item.push(word(reach));
         let pause = feeds.random.u32(..=self.pause);
@@ -195,7 +273,7 @@ impl Surroundings {
 
     fn result(&mut self, feeds: &mut Feeds, fields: &[u64]) {
         let &[query, last, found, index, distance2, cached] = fields else { panic!("a result has six fields") };
-        let query = &mut self.queries[query as usize];
+        let query = &mut self.queries[place(query)];
         assert!(!query.closed, "a result after the last: {query:?}");
         assert!(query.answer.is_empty() || query.cached == (cached == 1), "{query:?}");
         query.cached = cached == 1;
@@ -277,7 +355,7 @@ fn check(config: &Config, cloud: &[Point], query: &Query, seen: &mut Seen) {
         }
         (true, Mode::Ball) => {
             let reach2 = query.reach * query.reach;
-            let is_near = |(index, _): &&Neighbor| distance2(config, cloud[*index as usize], query.point) < reach2;
+            let is_near = |(index, _): &&Neighbor| distance2(config, cloud[place(*index)], query.point) < reach2;
             let near = indices(query.answer.iter().filter(is_near));
             assert_eq!(near, indices(&all(cloud.len(), reach2)), "{query:?}");
             seen.cached_balls += 1;
@@ -289,7 +367,7 @@ fn check(config: &Config, cloud: &[Point], query: &Query, seen: &mut Seen) {
 /// One entry, fewer than a power of two, as many as the thesis has, and so many that queries wait to be compared.
 fn configs() -> [Config; 4] {
     let base =
-        Config { geometry: Format::F32.flushed(), index_bits: 10, tree_depth: 4, bucket: 8, ..Config::default() };
+        Config { geometry: Format::F32.flushed(), index_bits: INDEX_BITS, tree_depth: 4, bucket: 8, ..Config::default() };
     [
         Config { neighbor_cache: 1, threads: 1, neighbors: 2, ..base.clone() },
         Config { neighbor_cache: 3, threads: 3, neighbors: 8, geometry: Format::F24.flushed(), ..base.clone() },
