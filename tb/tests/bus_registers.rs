@@ -1,79 +1,31 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
 use pointcore_contract::bus::registers::{
-    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, PointsRegisters, RegisterMap, RunCounter, SearchRegisters,
-    SplatRegisters, UniformBits,
+    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, RegisterMap, RunCounter, STATUS,
+    UniformBits,
 };
 use pointcore_contract::bus::units::registers::Ports;
 use pointcore_contract::bus::{Register, RegisterKind, When};
-use pointcore_contract::{fields, points, record, search, splat};
+use pointcore_contract::{fields, points, search, splat};
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
 use pointcore_tb::lockstep::seeds;
 
+use crate::bus::tally::{TALLY_BITS, TalliedPoints, TalliedSearch, TalliedSplat};
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 
 const ACCESSES: usize = 1500;
 /// Cycles of events in one of a test's runs.
 const LONG_CYCLES: u32 = 500_000;
-/// Bits of the event that has its counter run through all its bits.
-const TALLY_BITS: u32 = 24;
-/// A bit of `control`.
+/// Bits of `control`.
 const START: u32 = 1;
+const CLEAR_ERRORS: u32 = 4;
 /// Cycles that a read takes at most.
 const CYCLES_OF_A_READ: u64 = 80;
+/// Accesses of a kind at most that the host makes before it is answered.
+const AT_ONCE: usize = 4;
 /// Cycles between two accesses in which anything may happen.
 const EVENTFUL_CYCLES: u32 = 40;
-
-/// A core's registers and one more, the counter of an event of so many bits that it soon has all of its own: those of the
-/// core have a few, and a counter counts for minutes until it is full.
-macro_rules! tallied {
-    ($map:ident is $core:ty, $events:ident are [$($own:tt)+], [$($config:tt)+]) => {
-        #[record(config: $($config)+)]
-        pub struct $events {
-            /// The core's own.
-            #[with(config)]
-            pub core: $($own)+,
-            /// Anything.
-            #[name("event_tally")]
-            #[bits(TALLY_BITS)]
-            pub tally: u32,
-        }
-
-        struct $map;
-
-        impl RegisterMap for $map {
-            type Config = $($config)+;
-            type Settings = <$core as RegisterMap>::Settings;
-            type Events = $events;
-
-            const STARTS: When = <$core as RegisterMap>::STARTS;
-
-            fn registers(config: &Self::Config) -> Vec<Register> {
-                with_tally(<$core as RegisterMap>::registers(config))
-            }
-        }
-    };
-}
-
-tallied!(TalliedSplat is SplatRegisters, TalliedSplatEvents are [splat::units::Events], [splat::Config]);
-tallied!(TalliedSearch is SearchRegisters, TalliedSearchEvents are [search::units::Events], [search::Config]);
-tallied!(TalliedPoints is PointsRegisters, TalliedPointsEvents are [points::units::Events], [points::Config]);
-
-/// Registers with one more, behind the counters of events.
-fn with_tally(mut map: Vec<Register>) -> Vec<Register> {
-    let place_of = |register: &Register| match register.kind {
-        RegisterKind::Run(RunCounter::Event(place)) => Some(place),
-        _ => None,
-    };
-    let last = map.iter().rposition(|register| place_of(register).is_some()).unwrap();
-    let place = place_of(&map[last]).unwrap() + 1;
-    let kind = RegisterKind::Run(RunCounter::Event(place));
-    let tally = Register { name: "event_tally".into(), address: map[last].address + 4, kind, ..map[last].clone() };
-    assert!(map.iter().all(|register| register.address != tally.address), "{:x} is taken", tally.address);
-    map.insert(last + 1, tally);
-    map
-}
 
 /// The inputs for errors, their counters, and how many sources each has.
 fn errors(sources: ErrorSources) -> Vec<(String, ErrorCounter, u32)> {
@@ -179,33 +131,40 @@ impl Host {
             .for_each(|feed| _ = feed.taken(&self.bench));
     }
 
-    fn write(&mut self, address: u32, data: u32, strobes: u8) -> Response {
-        self.address.items.push_back(vec![address.into()]);
-        self.data.items.push_back(vec![data.into(), strobes.into()]);
-        loop {
+    /// Writes to addresses, with strobes, that the host makes without waiting for their answers.
+    fn write(&mut self, writes: &[(u32, u32, u8)]) -> Vec<Response> {
+        for &(address, data, strobes) in writes {
+            self.address.items.push_back(vec![address.into()]);
+            self.data.items.push_back(vec![data.into(), strobes.into()]);
+        }
+        let mut responses = vec![];
+        while responses.len() < writes.len() {
             self.step();
-            if let Some(answer) = self.answer.taken(&self.bench) {
-                return response(answer[0]);
-            }
+            responses.extend(self.answer.taken(&self.bench).map(|answer| response(answer[0])));
             assert_eq!(self.read_data.taken(&self.bench), None);
         }
+        responses
     }
 
-    fn read(&mut self, address: u32) -> (u32, Response) {
-        self.read_address.items.push_back(vec![address.into()]);
-        loop {
+    /// The same with reads.
+    fn read(&mut self, addresses: &[u32]) -> Vec<(u32, Response)> {
+        self.read_address.items.extend(addresses.iter().map(|address| vec![(*address).into()]));
+        let mut values = vec![];
+        while values.len() < addresses.len() {
             self.step();
-            if let Some(answer) = self.read_data.taken(&self.bench) {
-                return (answer[0] as u32, response(answer[1]));
-            }
+            let answer = self.read_data.taken(&self.bench);
+            values.extend(answer.map(|answer| (answer[0] as u32, response(answer[1]))));
             assert_eq!(self.answer.taken(&self.bench), None);
         }
+        values
     }
 
     /// Events, errors, and now and then the end of a run.
     fn happens(&mut self, counted: &[(String, RunCounter, u32)], errors: &[(String, ErrorCounter, u32)]) {
         // What is tallied is small and large.
         let scale = if self.random.bool() { 0 } else { self.random.u32(..TALLY_BITS) };
+        // Now and then nothing goes wrong, so that a single refusal shows.
+        let goes_wrong = self.random.bool();
         for _ in 0..self.random.u32(..EVENTFUL_CYCLES) {
             for (name, counter, width) in counted {
                 let events = self.random.u64(..1 << width) >> if *width == TALLY_BITS { scale } else { 0 };
@@ -213,7 +172,7 @@ impl Host {
                 self.model.event(*counter, events as u32);
             }
             for (name, error, count) in errors {
-                let errors = if self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
+                let errors = if goes_wrong && self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
                 self.bench.set(name, errors);
                 (0..errors.count_ones()).for_each(|_| self.model.error(*error));
             }
@@ -244,14 +203,27 @@ impl Host {
         }
     }
 
-    /// As many events a cycle as there can be, for so long that counters have many of their bits, or all.
-    fn run_on(&mut self, counted: &[(String, RunCounter, u32)]) {
+    /// As many events a cycle as there can be, for so long that counters have many of their bits, or all. Meanwhile the host reads
+    /// a counter over and over, which keeps others from their turn; what it reads grows.
+    fn run_on(&mut self, counted: &[(String, RunCounter, u32)], cycles: u32) {
         for (name, counter, width) in counted {
             let events = (1 << width) - 1;
             self.bench.set(name, events.into());
             self.model.event(*counter, u32::saturating_mul(events, LONG_CYCLES));
         }
-        (0..LONG_CYCLES).for_each(|_| self.step());
+        let mut latest = 0;
+        for cycle in 0..LONG_CYCLES {
+            let reads = cycle < LONG_CYCLES - CYCLES_OF_A_READ as u32;
+            if reads && self.read_address.items.is_empty() {
+                self.read_address.items.push_back(vec![cycles.into()]);
+            }
+            self.step();
+            if let Some(answer) = self.read_data.taken(&self.bench) {
+                assert!(latest < answer[0] && response(answer[1]) == Response::Okay, "{latest}, then {answer:x?}");
+                latest = answer[0];
+            }
+        }
+        assert!(self.read_address.items.is_empty());
     }
 }
 
@@ -298,38 +270,56 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     let goes_on = seed.is_multiple_of(SEEDS);
     let mut has_run_on = false;
     let mut to_read = vec![];
+    // Now and then errors are cleared, something is written, and the status is read, while nothing happens.
+    let mut calm = 0;
     for access in 0..ACCESSES {
         if goes_on && host.model.busy && !has_run_on && access > ACCESSES / 2 {
-            has_run_on = true;
-            host.run_on(&counted);
+            (has_run_on, calm) = (true, 0);
+            host.run_on(&counted, cycles);
             host.rest(&counted, &errors);
             to_read = map.iter().map(|register| register.address).collect();
         } else if to_read.is_empty() {
-            host.happens(&counted, &errors);
+            calm = if calm == 0 && host.random.u8(..16) == 0 { 3 } else { u32::saturating_sub(calm, 1) };
+            if calm == 0 {
+                host.happens(&counted, &errors);
+            }
         }
-        let next = to_read.pop();
-        let address = next.unwrap_or_else(|| address(map, &mut host.random));
-        if next.is_none() && host.random.bool() {
-            let data = value(map, address, &mut host.random);
-            let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
+        let next = to_read.pop().or([None, Some(STATUS), None, Some(CONTROL)][calm as usize]);
+        let at_once = if next.is_none() && host.random.u8(..4) == 0 { host.random.usize(2..=AT_ONCE) } else { 1 };
+        let addresses: Vec<_> =
+            (0..at_once).map(|_| next.unwrap_or_else(|| address(map, &mut host.random))).collect();
+        if calm > 1 || (next.is_none() && host.random.bool()) {
+            let write = |address: u32| {
+                if calm == 3 {
+                    return (address, CLEAR_ERRORS, 0xf);
+                }
+                let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
+                (address, value(map, address, &mut host.random), strobes)
+            };
+            let writes: Vec<_> = addresses.into_iter().map(write).collect();
             let occupied = host.random.u8(..8) == 0;
             host.bench.set("occupied", occupied.into());
-            let (was_busy, was_waiting) = (host.model.busy, host.model.waiting);
-            let expected = host.model.write(address, data, strobes, occupied);
-            assert_eq!(host.write(address, data, strobes), expected, "access {access}: write {data:x} to {address:x}");
-            refused += u32::from(expected == Response::Refused);
-            runs += u32::from(host.model.busy && !was_busy);
-            ahead += u32::from(was_busy && host.model.waiting && !was_waiting);
+            let mut expected = vec![];
+            for &(address, data, strobes) in &writes {
+                let (was_busy, was_waiting) = (host.model.busy, host.model.waiting);
+                expected.push(host.model.write(address, data, strobes, occupied));
+                refused += u32::from(expected.last() == Some(&Response::Refused));
+                runs += u32::from(host.model.busy && !was_busy);
+                ahead += u32::from(was_busy && host.model.waiting && !was_waiting);
+            }
+            assert_eq!(host.write(&writes), expected, "access {access}: writes {writes:x?}");
         } else {
-            let (value, response) = host.model.read(address);
-            let (shown, answer) = host.read(address);
-            assert_eq!(answer, response, "access {access}: read of {address:x}");
-            let is_cycles = address == cycles;
-            // While a run is under way, cycles pass between the answer and here.
-            let most = if host.was_busy { CYCLES_OF_A_READ } else { 0 };
-            let is_right = if is_cycles { u64::from(shown).abs_diff(host.cycles) <= most } else { shown == value };
-            assert!(is_right, "access {access}: {address:x} reads {shown:x}, not {value:x} (cycles {})", host.cycles);
-            refused += u32::from(response == Response::Refused);
+            let expected: Vec<_> = addresses.iter().map(|address| host.model.read(*address)).collect();
+            let answers = host.read(&addresses);
+            for ((address, (value, response)), (shown, answer)) in addresses.into_iter().zip(expected).zip(answers) {
+                assert_eq!(answer, response, "access {access}: read of {address:x}");
+                let is_cycles = address == cycles;
+                // While a run is under way, cycles pass between the answer and here.
+                let most = if host.was_busy { CYCLES_OF_A_READ * at_once as u64 } else { 0 };
+                let is_right = if is_cycles { u64::from(shown).abs_diff(host.cycles) <= most } else { shown == value };
+                assert!(is_right, "access {access}: {address:x} reads {shown:x}, not {value:x} (cycles {})", host.cycles);
+                refused += u32::from(response == Response::Refused);
+            }
         }
         // What was accepted has shown by the time of the answer, or does so in the next cycle.
         host.step();

@@ -2,6 +2,7 @@
 
 pub mod host;
 pub mod searched;
+pub mod tally;
 
 use std::collections::{HashMap, VecDeque};
 
