@@ -19,6 +19,8 @@ use crate::search::{all, lockstep, number, word};
 const QUERIES: usize = 100;
 /// Powers of two within which the distances of a phase lie.
 const SIZES: RangeInclusive<i32> = -30..=30;
+/// Bits of a mantissa that differ at least among points that are far away.
+const NEAR_BITS: i32 = 7;
 /// How much farther than a ball query asks its neighborhood reaches.
 const EXTENSION: f32 = 1.3;
 
@@ -53,6 +55,10 @@ const PHASES: [(Mode, bool); 5] = [
 /// Most cycles between the queries of each phase: with none, many wait for one neighborhood.
 const PAUSES: [u32; PHASES.len()] = [100, 0, 20, 0, 100];
 
+/// Most cycles before searches are answered in a phase: with none, many neighborhoods come within the time that one takes to be
+/// judged.
+const LONGEST: [u32; 3] = [0, 10, 50];
+
 /// Index and squared distance of a neighbor.
 type Neighbor = (u64, f32);
 
@@ -81,8 +87,11 @@ struct Surroundings {
     wanted: usize,
     /// Most cycles between queries.
     pause: u32,
-    /// How far apart points are.
+    /// Where points are, and how far apart.
+    center: Point,
     size: f32,
+    /// Most cycles before a search is answered.
+    longest: u32,
     /// Factors of the distance to the farthest neighbor, and of what is left of it.
     scales: [f32; 2],
     queries: Vec<Query>,
@@ -125,11 +134,11 @@ fn nearest(config: &Config, cloud: &[Point], point: Point, k: usize, radius2: f3
 }
 
 /// Sends the results of a search, after a while.
-fn answer(config: &Config, cloud: &[Point], feeds: &mut Feeds, search: &[u64]) {
+fn answer(config: &Config, cloud: &[Point], longest: u32, feeds: &mut Feeds, search: &[u64]) {
     let &[ticket, k, radius2, x, y, z] = search else { panic!("a search has six fields") };
     let point = [x, y, z].map(|word| number(config, word));
     let found = nearest(config, cloud, point, k as usize, number(config, radius2));
-    let mut delay = feeds.random.u32(..50);
+    let mut delay = feeds.random.u32(..=longest);
     for (rank, &(index, distance2)) in (1..).zip(&found) {
         let last = u64::from(rank == found.len());
         feeds.feed_after(std::mem::take(&mut delay), "found", vec![ticket, last, 1, index, word(config, distance2)]);
@@ -151,7 +160,9 @@ impl Surroundings {
             places: vec![],
             wanted: 0,
             pause: 0,
+            center: [0.0; 3],
             size: 1.0,
+            longest: 0,
             scales: [0.0; 2],
             queries: vec![],
             closed: 0,
@@ -165,20 +176,32 @@ impl Surroundings {
         PHASES[self.clouds.len() - 1].0
     }
 
+    /// A point that is so far from where points are.
+    fn around(&self, offset: Point) -> Point {
+        std::array::from_fn(|axis| held(&self.config, self.center[axis] + offset[axis]))
+    }
+
     /// Changes to the next phase.
     fn set_up(&mut self, feeds: &mut Feeds) {
         let Some(&(mode, many)) = PHASES.get(self.clouds.len()) else { return };
         self.pause = PAUSES[self.clouds.len()];
+        self.longest = LONGEST[feeds.random.usize(..LONGEST.len())];
         let neighbors = self.config.neighbors as usize;
         let count = if many { 40 } else { feeds.random.usize(..neighbors) };
         self.size = 2.0_f32.powi(feeds.random.i32(SIZES));
-        self.clouds.push((0..count).map(|_| random_point(&mut feeds.random, self.size)).collect());
+        // Far away, the last bits of coordinates are what tells queries from each other.
+        let farthest = 2.0_f32.powi(self.config.geometry.mantissa as i32 - NEAR_BITS);
+        let away = self.size * [0.0, 0.0, farthest * feeds.random.f32(), farthest][feeds.random.usize(..4)];
+        self.center = random_point(&mut feeds.random, away);
+        let cloud: Vec<_> = (0..count).map(|_| random_point(&mut feeds.random, self.size)).collect();
+        self.clouds.push(cloud.into_iter().map(|point| self.around(point)).collect());
         // Next to zero, queries differ from each other in all bits of their distance.
         let places = (0..self.config.neighbor_cache).map(|_| {
             let size = [1.0, 1.0, 0.01, 0.0][feeds.random.usize(..4)];
             random_point(&mut feeds.random, size * self.size)
         });
-        self.places = places.collect();
+        let places: Vec<_> = places.collect();
+        self.places = places.into_iter().map(|point| self.around(point)).collect();
         self.wanted = if !many || feeds.random.bool() { neighbors } else { feeds.random.usize(2..=neighbors) };
         // Makes up for the rounding of squares and roots.
         let safety = 1.0 - 8.0 * 0.5_f32.powi(self.config.geometry.mantissa as i32);
@@ -242,7 +265,10 @@ impl Surroundings {
         }
         let random = &mut feeds.random;
         let by_a_hair = if random.u8(..3) == 0 { self.by_a_hair(random) } else { None };
-        let by_a_hair = by_a_hair.filter(|(point, reach)| [point[0], point[1], point[2], *reach].iter().all(|part| part.abs() < 2.0 * self.size));
+        let by_a_hair = by_a_hair.filter(|(point, reach)| {
+            let mut offsets = (0..3).map(|axis| point[axis] - self.center[axis]).chain([*reach]);
+            offsets.all(|offset| offset.abs() < 2.0 * self.size)
+        });
         let size = [0.0, 0.001, 0.02, 0.2][random.usize(..4)];
         let step = random_point(random, size * self.size);
         // Without pauses so many come from a place that not all of them find room to wait.
@@ -302,13 +328,13 @@ impl Rule for Surroundings {
                 (0..under_way).for_each(|_| self.ask(feeds));
             }
             "search" => {
-                let Self { config, clouds, searches, .. } = self;
+                let Self { config, clouds, searches, longest, .. } = self;
                 searches
-                    .request(feeds, fields, |feeds, search| answer(config, &clouds[clouds.len() - 1], feeds, search));
+                    .request(feeds, fields, |feeds, search| answer(config, &clouds[clouds.len() - 1], *longest, feeds, search));
             }
             "found" if fields[1] == 1 => {
-                let Self { config, clouds, searches, .. } = self;
-                searches.answered(feeds, |feeds, search| answer(config, &clouds[clouds.len() - 1], feeds, search));
+                let Self { config, clouds, searches, longest, .. } = self;
+                searches.answered(feeds, |feeds, search| answer(config, &clouds[clouds.len() - 1], *longest, feeds, search));
             }
             "result" => self.result(feeds, fields),
             _ => {}
