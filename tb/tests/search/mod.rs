@@ -2,6 +2,7 @@
 
 pub mod environment;
 pub mod memory;
+pub mod neighborhoods;
 pub mod tree;
 
 use pointcore_contract::Format;
