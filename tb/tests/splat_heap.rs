@@ -63,8 +63,11 @@ fn it_agrees_with_the_model_at_every_size() {
 
 /// Levels and cycles of an operation of heaps that are filled.
 const FILLED: [(u32, u32); 8] = [(3, 2), (4, 4), (5, 2), (7, 4), (10, 2), (10, 4), (12, 2), (12, 4)];
-/// Entries that take the places of others in a full heap, at least; so many that their numbers begin anew.
-const REPLACED: usize = 10_000;
+/// Entries that take the places of others in a full heap, at least; so many that their numbers begin anew more than once: whether
+/// all of an epoch have left shows when the next one of its kind begins.
+const REPLACED: usize = 20_000;
+/// Epochs that begin meanwhile; a number's first bit tells one from the next.
+const EPOCHS: usize = 4;
 /// Cycles in which a full heap takes nothing, to be sure that it is full: more than an operation takes.
 const FULL_CYCLES: u32 = 16;
 /// Entries that leave a heap at once, for the queue behind it.
@@ -128,7 +131,7 @@ fn heaps_are_filled_to_the_brim_and_emptied() {
         let config = Config { heap_levels, heap_interval, width: 61, height: 37, ..Config::default() };
         let capacity = config.heap_capacity() as usize;
         let sequence_bits = config.sequence_bits();
-        let replaced = REPLACED.max(1 << sequence_bits);
+        let replaced = REPLACED.max(EPOCHS << (sequence_bits - 1));
         let device = Device::new(&config, &heap::numbered(&config, sequence_bits), &units::heap::UNIT);
         let streams = Streams::of(device.library());
         let stream = |name| streams.get(name).expect("a heap has it").clone();
