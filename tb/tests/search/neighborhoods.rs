@@ -319,7 +319,7 @@ impl Surroundings {
 }
 
 impl Rule for Surroundings {
-    const SEEDS: u64 = 30;
+    const SEEDS: u64 = 45;
 
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
