@@ -852,14 +852,14 @@ module bus_frames (
     reg [23:0] values [0:31];
     reg waiting, setting_up;
     reg [1:0] under_way;
-    reg [15:0] filter;
-    reg filter_changes, copies;
+    reg [15:0] filter_scale;
+    reg filter_scale_changes, copies;
     reg [4:0] copied;
 
     wire is_alone = under_way == 2'd0;
     wire ends = copies & (copied == 5'd22);
-    wire begins = waiting & ~(setting_up | (under_way == 2'd3)) & (is_alone | ~filter_changes);
-    wire writes_filter = write_valid & (write_address == 5'd22);
+    wire begins = waiting & ~(setting_up | (under_way == 2'd3)) & (is_alone | ~filter_scale_changes);
+    wire writes_filter_scale = write_valid & (write_address == 5'd22);
     wire [23:0] value = values[copied];
 
     assign idle = ~waiting & is_alone;
@@ -869,7 +869,7 @@ module bus_frames (
             waiting <= 1'd0;
             setting_up <= 1'd0;
             under_way <= 2'd0;
-            filter_changes <= 1'd0;
+            filter_scale_changes <= 1'd0;
             copies <= 1'd0;
             uniform_valid <= 1'd0;
             begun <= 1'd0;
@@ -877,14 +877,14 @@ module bus_frames (
             waiting <= start | (waiting & ~ends);
             setting_up <= begins | (setting_up & ~set_up);
             under_way <= (under_way + {1'd0, begins}) - {1'd0, sent};
-            filter_changes <= (writes_filter & ~(filter == write_data[15:0])) | (filter_changes & ~begins);
+            filter_scale_changes <= (writes_filter_scale & ~(filter_scale == write_data[15:0])) | (filter_scale_changes & ~begins);
             copies <= begins | (copies & ~ends);
             uniform_valid <= copies;
             begun <= ends;
         end
     end
     always @(posedge clk) begin
-        if (writes_filter) filter <= write_data[15:0];
+        if (writes_filter_scale) filter_scale <= write_data[15:0];
         copied <= begins ? 5'd0 : (copied + 5'd1);
         uniform_address <= copied;
         uniform_data <= value;

@@ -75,6 +75,7 @@
 #define SPLAT_WIDTH 512u /* columns of samples */
 #define SPLAT_HEIGHT 512u /* rows of samples */
 #define SPLAT_FLIPQUAD 0 /* two columns of samples a pixel, else one in its middle */
+#define SPLAT_TIME_BINS 0u /* columns that each sample has for parts of the exposure, none where nothing moves */
 #define SPLAT_TILE_SIZE 8u /* edge of a tile, in samples */
 #define SPLAT_BUFFER_BYTES 33554432u /* the reconstruction buffer */
 #define SPLAT_CONTINUOUS 13u /* attributes that are blended */

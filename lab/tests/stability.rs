@@ -30,7 +30,7 @@ fn cases(format: Format, rounds: u64) -> impl Iterator<Item = Case> {
 fn splat(format: Format, center: [f32; 3], tangents: [[f32; 3]; 2], attribute: f32) -> Case {
     let vector = |v: [f32; 3]| v.map(|number| encode(format, number));
     let attributes = [encode(Format::F16, attribute); 14];
-    let splat = Splat { end: false, center: vector(center), tangents: tangents.map(vector), attributes };
+    let splat = Splat { center: vector(center), tangents: tangents.map(vector), attributes, ..Splat::default() };
     let lens = Lens::new(format, 1.0, 1000.0);
     Case { family: Family::Ordinary, level: 0, format, splat, lens, filter: Feature::Off }
 }

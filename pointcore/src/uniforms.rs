@@ -2,7 +2,8 @@
 
 use crate::number::{encode, encode_uniform};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{EpsilonScale, ModelView, Uniforms, Viewport};
+use pointcore_contract::splat::motion::{SHUTTER, TIME_BINS_MAX};
+use pointcore_contract::splat::records::{EpsilonScale, ModelView, Shutter, Uniforms, Viewport};
 use pointcore_contract::{Camera, Rendering};
 
 /// The registers' values.
@@ -22,5 +23,12 @@ pub fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) -> Unif
         epsilon: EpsilonScale { scale: number(rendering.epsilon_scale), bias: number(rendering.epsilon_bias) },
         filter_radius: number(radius),
         filter_scale: encode_uniform(config.filter_scale_format(), (1.0 / (radius * radius)) as f32),
+        shutter: open_shutter(),
     }
+}
+
+/// A shutter that is a box: every bin of the exposure counts alike.
+#[must_use]
+pub const fn open_shutter() -> Shutter {
+    Shutter { weight: [1 << SHUTTER.fraction; TIME_BINS_MAX] }
 }

@@ -2,8 +2,8 @@
 
 use pointcore_contract::bus::units::FRAMES_MAX;
 use pointcore_contract::splat::{Config, Feature};
-use pointcore_contract::splat::records::{UniformWrite, Uniforms};
-use pointcore_contract::{fields, places};
+use pointcore_contract::fields;
+use pointcore_contract::splat::records::{UniformWrite, Uniforms, late_uniforms};
 use pointcore_golden::bus::{Frames, FramesIn};
 use pointcore_hdl::bus::frames;
 use pointcore_tb::lockstep::seeds;
@@ -36,8 +36,11 @@ impl World {
         let write = writes.then(|| {
             let addresses = fields::<Uniforms>(config).len() as u8;
             self.unwritten = self.unwritten.saturating_sub(1);
-            let filter = places::<Uniforms>(config).filter_scale.map(|place| place as u8);
-            let any = filter.filter(|_| self.random.bool()).unwrap_or_else(|| self.random.u8(..addresses));
+            let late = late_uniforms(config);
+            let any = match self.random.bool() {
+                true => late[self.random.usize(..late.len())] as u8,
+                false => self.random.u8(..addresses),
+            };
             let address = if is_first { self.unwritten } else { any };
             // What the uniform holds, which changes nothing; the same but for a bit; or anything.
             let last = &mut self.written[usize::from(address)];
@@ -57,18 +60,17 @@ impl World {
     }
 }
 
-/// Both with a screen filter, whose scale rasterizers read, and without.
-fn exchange(screen_filter: Feature, seed: u64) {
-    let config = Config { screen_filter, ..Config::default() };
-    let mut bench = Bench::new(frames::module(&config), seed);
-    let mut model = Frames::new(&config);
-    let unwritten = fields::<Uniforms>(&config).len() as u8;
+/// A run in which frames begin one after the other.
+fn exchange(config: &Config, seed: u64) {
+    let mut bench = Bench::new(frames::module(config), seed);
+    let mut model = Frames::new(config);
+    let unwritten = fields::<Uniforms>(config).len() as u8;
     let random = fastrand::Rng::with_seed(seed);
     let written = vec![0; unwritten.into()];
     let mut world = World { random, waiting: false, to_set_up: 0, to_send: 0, unwritten, written };
     let (mut begun, mut most) = (0, 0);
     for _ in 0..CYCLES {
-        let inputs = world.inputs(&config, model.begun());
+        let inputs = world.inputs(config, model.begun());
         let FramesIn { start, write, set_up, sent } = inputs;
         for (name, value) in [("start", start), ("set_up", set_up), ("sent", sent), ("write_valid", write.is_some())] {
             bench.set(name, value.into());
@@ -92,7 +94,10 @@ fn exchange(screen_filter: Feature, seed: u64) {
 
 #[test]
 fn frames_begin_as_in_the_model() {
+    let still = [Feature::On, Feature::Off].map(|screen_filter| Config { screen_filter, ..Config::default() });
+    let moving = Config { screen_filter: Feature::Off, time_bins: 4, ..Config::default() };
+    let configs = still.into_iter().chain([moving]).collect::<Vec<_>>();
     for seed in seeds(SEEDS).unwrap() {
-        [Feature::On, Feature::Off].into_iter().for_each(|screen_filter| exchange(screen_filter, seed));
+        configs.iter().for_each(|config| exchange(config, seed));
     }
 }

@@ -13,7 +13,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::lane;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, seeds};
 
-use crate::splat::{Device, RUNS, configs, scene, stalls};
+use crate::splat::{Device, RUNS, configs, moving_configs, scene, stalls};
 
 const SPLATS: usize = 1200;
 
@@ -89,6 +89,7 @@ impl Loop {
             number: self.number,
             frame_sent: self.random.u8(..) == 0,
             filter_scale: scene::registers(&self.config).filter_scale,
+            depth_a: scene::registers(&self.config).viewport.depth_a,
             payload_data: self.payloads.front().copied().filter(|_| self.offers[2]),
             payload_read_ready,
             payload_write_ready,
@@ -147,7 +148,8 @@ impl Stimulus for Loop {
 fn it_agrees_with_the_model() {
     let [bare, _, mixed] = configs();
     let in_memory = Config { payload: PayloadStore::Memory, payload_beats: 4, payload_ahead: 5, ..mixed.clone() };
-    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0)] {
+    let [moving, ..] = moving_configs();
+    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0), (moving, 0)] {
         let hardware = lane::lane(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let latency = |unit: &str| hardware.manifests[unit].latency;
         let [rasterizer, weighting] = ["rasterizer", "weighting"].map(latency);

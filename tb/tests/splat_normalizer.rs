@@ -8,7 +8,7 @@ use pointcore_golden::splat::Normalizer;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::normalizer;
 
-use crate::splat::{Device, configs, fixed_configs, knobs, scene};
+use crate::splat::{Device, configs, fixed_configs, knobs, moving_configs, scene};
 
 const PIXELS: u64 = 25_000;
 
@@ -57,11 +57,11 @@ fn pixels(config: &Config) -> Vec<FinishedPixel> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(fixed_configs()).chain(knobs()) {
+    for config in configs().into_iter().chain(fixed_configs()).chain(knobs()).chain(moving_configs()) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::normalizer::UNIT);
         let fragments: Vec<Fragment> =
-            device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);
+            device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &scene::uniforms(&config));
         assert_eq!(fragments.len() as u64, PIXELS);
         assert_eq!(fragments.iter().filter(|fragment| fragment.end).count() as u64, PIXELS / 250);
     }

@@ -233,6 +233,6 @@ fn it_agrees_with_the_model() {
 
 /// What comes out for a copy.
 fn complete(copy: &SplatCopy) -> CompleteCopy {
-    let SplatCopy { footprint, attributes, bounds, diagonals, tile, .. } = *copy;
-    CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot: 0 }
+    let SplatCopy { footprint, moving, attributes, bounds, diagonals, tile, .. } = *copy;
+    CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot: 0 }
 }

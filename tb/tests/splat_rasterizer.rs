@@ -2,22 +2,26 @@
 
 use pointcore_contract::splat::records::Sample;
 use pointcore_contract::splat::units;
-use pointcore_golden::splat::Rasterizer;
+use pointcore_golden::splat::{MotionRasterizer, Rasterizer};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::rasterizer;
 
-use crate::splat::{Device, configs, integer_configs, knobs, scene};
+use crate::splat::{Device, configs, integer_configs, knobs, moving_configs, scene};
 
 const SPLATS: usize = 700;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
+    for config in configs().into_iter().chain(knobs()).chain(integer_configs()).chain(moving_configs()) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::rasterizer::UNIT);
         let copies = scene::complete_copies(&config, SPLATS);
-        let model = Rasterizer::new(&config, hardware.manifest.latency);
-        let samples: Vec<Sample> = device.run(&model, &copies, &scene::uniforms(&config));
+        let (latency, uniforms) = (hardware.manifest.latency, scene::uniforms(&config));
+        let samples: Vec<Sample> = if config.has_motion() {
+            device.run(&MotionRasterizer::new(&config, latency), &copies, &uniforms)
+        } else {
+            device.run(&Rasterizer::new(&config, latency), &copies, &uniforms)
+        };
         let places = || samples.iter().map(|sample| sample.place);
         let inside = places().filter(|place| place.inside).count();
         assert!(inside > 2 * SPLATS, "{inside} samples lie inside {SPLATS} splats");

@@ -5,7 +5,7 @@ use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Splitter;
 use pointcore_hdl::splat::splitter;
 
-use crate::splat::{Device, configs, scene};
+use crate::splat::{Device, configs, moving_configs, scene};
 
 const SPLATS: u64 = 24_000;
 
@@ -19,7 +19,7 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
             let first = random.u32(0..edge);
             [first, random.u32(first..edge.min(first.saturating_add(extent)))].map(|pixel| pixel as u16)
         });
-        let per_pixel = config.sampling.columns() as u16;
+        let per_pixel = config.columns_a_pixel() as u16;
         let row_mask = (1 << config.row_bits()) - 1;
         // Of two pixels within the rectangle, so that something of it is left.
         let mut pixel = || [random.u16(left..=right) / per_pixel, random.u16(top..=bottom)];
@@ -43,7 +43,7 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
 #[test]
 fn it_agrees_with_the_model() {
     let [bare, full, mixed] = configs();
-    for config in [Config { rasterizers: 2, ..bare.clone() }, bare, full, mixed] {
+    for config in [Config { rasterizers: 2, ..bare.clone() }, bare, full, mixed].into_iter().chain(moving_configs()) {
         let device = Device::new(&config, &splitter::module(&config), &units::splitter::UNIT);
         let copies: Vec<SplatCopy> = device.run(&Splitter::new(&config), &splats(&config), &[]);
         assert!(copies.len() as u64 > SPLATS * 3 / 2, "{} copies", copies.len());

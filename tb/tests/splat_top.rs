@@ -10,7 +10,7 @@ use pointcore_contract::splat::records::Fragment;
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, Waveform, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
 
-use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, scene, stalls};
+use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, moving_configs, scene, stalls};
 use crate::support;
 
 /// Splats and ends of several frames.
@@ -32,10 +32,11 @@ fn run(
 }
 
 /// What is seen in the streams between the units must come to what the hardware's events and its memory say.
-fn adds_up(SplatOutcome { activity, counters, simulated_cycles, .. }: &SplatOutcome) {
+fn adds_up(config: &Config, SplatOutcome { activity, counters, simulated_cycles, .. }: &SplatOutcome) {
     let (events, timeline) = (counters.events, activity.timeline());
     let samples = activity.samples().expect("the model's units were seen");
-    assert_eq!(samples.evaluated().sum(), events.sample);
+    // A sample is evaluated in all bins of the exposure at once.
+    assert_eq!(samples.evaluated().sum(), events.sample << config.bin_bits());
     assert_eq!(samples.inside().sum(), events.accumulate);
     assert_eq!(samples.hazards().sum(), events.hazard);
     assert_eq!(timeline.cycles(), *simulated_cycles);
@@ -62,7 +63,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         Config { rasterizers: 2, memory_ports: 2, payload: PayloadStore::Memory, payload_beats: 2, ..bare },
         Config { rasterizers: 4, memory_ports: 2, ..mixed },
     ];
-    for config in configs().into_iter().chain([coarse, fixed, integers]).chain(several) {
+    for config in configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs()) {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));
         let mut frame = frames(&config, RECORDS);
@@ -71,7 +72,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
             let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
             let mut outcome =
                 outcome.unwrap_or_else(|error| panic!("{error}\nor {SEED_VARIABLE}={seed} with this test"));
-            adds_up(&outcome);
+            adds_up(&config, &outcome);
             let counters = &outcome.counters;
             assert!(counters.buffer.written > 1000 && counters.buffer.read > 1000, "seed {seed}: {counters:?}");
             in_order(&config, &mut outcome.fragments);

@@ -5,6 +5,7 @@ mod error;
 pub use error::ConfigError;
 
 use super::division::Division;
+use super::motion::TIME_BITS;
 use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
 use crate::configuration::{Derived, configuration};
 use crate::{Format, FragmentDepth, Sampling, TableShape};
@@ -137,6 +138,8 @@ configuration! {
             screen_filter: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
             /// Splats that reach the near, far or eye plane are drawn as far as they lie between near and far, sample by sample.
             eye_plane: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
+            /// Parts of the exposure that splats which move are told apart in (thesis ch. 4), each with samples of its own: `width` counts them. 0 where nothing moves.
+            time_bins: u32 = 0, described("0, 1, 2, 4, 8; with `sampling = \"flipquad\"` 4 at most"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
             /// Leading bits of ρ² that choose an entry of the kernel's table.
@@ -221,8 +224,9 @@ impl Config {
         if ![1, 2, MEMORY_PORTS_MAX].contains(&self.memory_ports) || self.memory_ports > self.rasterizers {
             return Err(ConfigError::MemoryPorts { ports: self.memory_ports, rasterizers: self.rasterizers });
         }
-        if !self.width.is_multiple_of(self.sampling.columns()) {
-            return Err(ConfigError::OddWidth(self.width));
+        self.check_motion()?;
+        if !self.width.is_multiple_of(self.columns_a_pixel()) {
+            return Err(ConfigError::CutPixel { width: self.width, columns: self.columns_a_pixel() });
         }
         let attributes = u64::from(self.continuous) + u64::from(self.cardinal);
         if !(1..=u64::from(ATTRIBUTES_MAX)).contains(&attributes) {
@@ -243,6 +247,27 @@ impl Config {
             _ => {}
         }
         Ok(self.bus.validate()?)
+    }
+
+    /// Checks what hardware for splats that move hangs on.
+    fn check_motion(&self) -> Result<(), ConfigError> {
+        let needs = |key, value, reason| Err(ConfigError::Motion { bins: self.time_bins, key, value, reason });
+        match self.time_bins {
+            0 => Ok(()),
+            1 | 2 | 4 | 8 if self.columns_a_pixel() <= TILE_SIZE => {
+                if self.screen_filter.is_on() {
+                    return needs("screen_filter", "off", "splats that move have no disc on the screen");
+                }
+                if !self.culling.is_on() {
+                    return needs("culling", "on", "a splat that moves lives while it faces the eye");
+                }
+                if self.rasterizer.is_some_and(|format| format != RasterFormat::Float(self.geometry)) {
+                    return needs("rasterizer", "geometry", "footprints that move are in the format of all geometry");
+                }
+                Ok(())
+            }
+            bins => Err(ConfigError::TimeBins { bins, most: TILE_SIZE / self.sampling.columns() }),
+        }
     }
 
     /// Whether a number of a format is one of the geometry format's, but for subnormals.
@@ -269,6 +294,30 @@ impl Config {
     #[must_use]
     pub fn has_depth_plane(&self) -> bool {
         self.depth == FragmentDepth::Plane
+    }
+
+    /// Whether splats may move while the shutter is open.
+    #[must_use]
+    pub const fn has_motion(&self) -> bool {
+        self.time_bins > 0
+    }
+
+    /// Columns of samples that a pixel has: places, each with its bins of the exposure.
+    #[must_use]
+    pub const fn columns_a_pixel(&self) -> u32 {
+        self.sampling.columns() << self.bin_bits()
+    }
+
+    /// Bits of a bin's number: none where there is but one.
+    #[must_use]
+    pub const fn bin_bits(&self) -> u32 {
+        if self.has_motion() { self.time_bins.ilog2() } else { 0 }
+    }
+
+    /// Bits of a time within a bin, from 0 to the bin's length.
+    #[must_use]
+    pub const fn bin_time_bits(&self) -> u32 {
+        TIME_BITS - self.bin_bits()
     }
 
     /// Attributes of both kinds.
@@ -302,7 +351,7 @@ impl Config {
     /// Bits of a sum of a pixel's column and row.
     #[must_use]
     pub const fn diagonal_bits(&self) -> u32 {
-        let (columns, rows) = (self.column_bits() - self.sampling.columns().ilog2(), self.row_bits());
+        let (columns, rows) = (self.column_bits() - self.columns_a_pixel().ilog2(), self.row_bits());
         1 + if columns < rows { rows } else { columns }
     }
 

@@ -1,9 +1,9 @@
 //! Frames of the renderer, begun one after the other.
 
 use pointcore_contract::bus::units::FRAMES_MAX;
+use pointcore_contract::fields;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{UniformWrite, Uniforms};
-use pointcore_contract::{fields, places};
+use pointcore_contract::splat::records::{UniformWrite, Uniforms, late_uniforms};
 
 /// What comes into the unit in a cycle.
 #[derive(Clone, Copy, Debug, Default)]
@@ -19,14 +19,14 @@ pub struct FramesIn {
 }
 
 /// Begins frames, each with the uniforms that were written before its start, cycle by cycle. A frame begins when all splats of the
-/// one before are set up; where the screen filter's scale was changed, which samples are weighted by, when all frames have left.
+/// one before are set up; where one was changed that is read until a frame has left, when all have.
 #[derive(Clone, Debug)]
 pub struct Frames {
     /// The uniforms as they were written last.
     values: Vec<u32>,
-    /// The place of `filter_scale` among them, and its bits.
-    filter: Option<(usize, u32)>,
-    filter_changes: bool,
+    /// The places among them of those that are read late, and their bits.
+    late: Vec<(usize, u32)>,
+    late_changes: bool,
     waiting: bool,
     setting_up: bool,
     under_way: u32,
@@ -40,11 +40,12 @@ impl Frames {
     /// The unit after reset; uniforms are zero.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        let mask = u32::MAX >> (u32::BITS - config.filter_scale_format().width());
+        let uniforms = fields::<Uniforms>(config);
+        let late = |place: usize| (place, u32::MAX >> (u32::BITS - uniforms[place].width));
         Self {
-            values: vec![0; fields::<Uniforms>(config).len()],
-            filter: places::<Uniforms>(config).filter_scale.map(|place| (place, mask)),
-            filter_changes: false,
+            values: vec![0; uniforms.len()],
+            late: late_uniforms(config).into_iter().map(late).collect(),
+            late_changes: false,
             waiting: false,
             setting_up: false,
             under_way: 0,
@@ -75,7 +76,7 @@ impl Frames {
     /// A cycle.
     pub fn clock(&mut self, inputs: FramesIn) {
         let may_begin = !self.setting_up && self.under_way < FRAMES_MAX;
-        let begins = self.waiting && may_begin && (self.under_way == 0 || !self.filter_changes);
+        let begins = self.waiting && may_begin && (self.under_way == 0 || !self.late_changes);
         let ends = self.copied == Some(self.values.len() - 1);
         self.uniform = self.copied.map(|place| UniformWrite { address: place as u8, data: self.values[place] });
         self.begun = ends;
@@ -83,11 +84,11 @@ impl Frames {
         self.waiting = inputs.start || (self.waiting && !ends);
         self.setting_up = begins || (self.setting_up && !inputs.set_up);
         self.under_way = self.under_way + u32::from(begins) - u32::from(inputs.sent);
-        self.filter_changes &= !begins;
+        self.late_changes &= !begins;
         if let Some(UniformWrite { address, data }) = inputs.write {
             let value = &mut self.values[usize::from(address)];
-            let changed = |(place, mask)| place == usize::from(address) && (*value ^ data) & mask != 0;
-            self.filter_changes |= self.filter.is_some_and(changed);
+            let changed = |&(place, mask): &(usize, u32)| place == usize::from(address) && (*value ^ data) & mask != 0;
+            self.late_changes |= self.late.iter().any(changed);
             *value = data;
         }
     }

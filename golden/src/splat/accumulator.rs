@@ -12,7 +12,7 @@ use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
 use pointcore_contract::splat::records::{
-    DrainedPixel, Fill, Pixel, SamplePlace, Slot, SlotChange, SlotMasks, SlotPixel, WeightedSample,
+    Bin, DrainedPixel, Fill, Pixel, SamplePlace, Slot, SlotChange, SlotMasks, SlotPixel, WeightedSample,
 };
 use pointcore_contract::splat::units::AccumulatorEvents;
 pub use pointcore_contract::splat::units::accumulator::{In, Out};
@@ -35,6 +35,7 @@ struct Stage {
 pub struct Accumulator {
     continuous: usize,
     attribute: Arithmetic,
+    has_motion: bool,
     input: Fifo<WeightedSample>,
     /// The sample that issues next.
     head: Option<WeightedSample>,
@@ -61,6 +62,7 @@ impl Accumulator {
         Self {
             continuous: config.continuous as usize,
             attribute: Arithmetic(config.attribute),
+            has_motion: config.has_motion(),
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
             head: None,
             slot_ready: 0,
@@ -115,27 +117,57 @@ impl Accumulator {
     /// The pixel with the sample in it; `None` if it does not change.
     #[must_use]
     pub fn accumulate(&self, stored: &Pixel, sample: &WeightedSample) -> Option<Pixel> {
-        let weight = sample.place.weight;
         let WeightedSample { depth_low, depth_high, .. } = *sample;
         let limits = depth_test::In { weight: stored.weight, depth: stored.depth, depth_low, depth_high };
         let outcome = depth_test::test(&limits);
-        if outcome.fail {
-            return None;
+        let alone = self.alone(sample);
+        let nearest = match outcome {
+            depth_test::Out { fail: true, .. } => None,
+            depth_test::Out { pass: true, .. } => Some(alone),
+            _ => Some(self.merged(&sums(stored), &alone)?),
+        };
+        if !self.has_motion {
+            return nearest;
         }
+        // What is hidden joins the rest, and what was nearest until now.
+        let Bin { nearest: seen, any, .. } = stored.bin;
+        let rest = rest(&stored.bin);
+        let joins = match outcome {
+            depth_test::Out { fail: true, .. } => Some(alone),
+            depth_test::Out { pass: true, .. } => Some(sums(stored)),
+            _ => None,
+        };
+        let Pixel { weight, depth, peak, attributes, .. } =
+            joins.and_then(|joins| self.merged(&rest, &joins)).unwrap_or(rest);
+        let time = sample.time;
+        let hull = |before: [u32; 2]| [before[0].max(time[0]), before[1].max(time[1])];
+        let seen = match outcome {
+            depth_test::Out { fail: true, .. } => seen,
+            depth_test::Out { pass: true, .. } => time,
+            _ => hull(seen),
+        };
+        let bin = Bin { nearest: seen, any: hull(any), weight, depth, peak, attributes };
+        Some(Pixel { bin, ..nearest.unwrap_or(*stored) })
+    }
+
+    /// The sums of a sample alone.
+    fn alone(&self, sample: &WeightedSample) -> Pixel {
         let mut attributes = sample.attributes;
-        if outcome.pass {
-            for sum in &mut attributes[..self.continuous] {
-                *sum = self.attribute.alone(*sum);
-            }
-            let (weight_sum, depth) = (u32::from(weight), sample.weighted_depth);
-            return Some(Pixel { weight: weight_sum, depth, peak: weight, attributes });
+        for sum in &mut attributes[..self.continuous] {
+            *sum = self.attribute.alone(*sum);
         }
-        let weight_sum = stored.weight + u32::from(weight);
-        if weight_sum > WEIGHT_SUM_MAX {
+        let weight = sample.place.weight;
+        Pixel { weight: weight.into(), depth: sample.weighted_depth, peak: weight, attributes, ..Pixel::default() }
+    }
+
+    /// Both sums in one; `None` if the weight does not fit.
+    fn merged(&self, stored: &Pixel, other: &Pixel) -> Option<Pixel> {
+        let weight = stored.weight + other.weight;
+        if weight > WEIGHT_SUM_MAX {
             return None;
         }
-        let stronger = stored.peak < weight;
-        let peak = if stronger { weight } else { stored.peak };
+        let stronger = stored.peak < other.peak;
+        let mut attributes = other.attributes;
         for (index, (new, old)) in attributes.iter_mut().zip(stored.attributes).enumerate() {
             if index < self.continuous {
                 *new = self.attribute.add(old, *new);
@@ -143,8 +175,20 @@ impl Accumulator {
                 *new = old;
             }
         }
-        Some(Pixel { weight: weight_sum, depth: stored.depth + sample.weighted_depth, peak, attributes })
+        let peak = stored.peak.max(other.peak);
+        Some(Pixel { weight, depth: stored.depth + other.depth, peak, attributes, ..Pixel::default() })
     }
+}
+
+/// The sums of a pixel's nearest surface.
+fn sums(pixel: &Pixel) -> Pixel {
+    Pixel { bin: Bin::default(), ..*pixel }
+}
+
+/// The sums of all else.
+fn rest(bin: &Bin) -> Pixel {
+    let Bin { weight, depth, peak, attributes, .. } = *bin;
+    Pixel { weight, depth, peak, attributes, ..Pixel::default() }
 }
 
 fn index(place: SlotPixel) -> usize {
@@ -229,7 +273,14 @@ mod tests {
         let mut attributes = [0; 14];
         attributes[0] = 0x3c00; // 1.0 in f16
         attributes[1] = u64::from(weight);
-        WeightedSample { place, weighted_depth, depth_low: depth - 100, depth_high: depth + 100, attributes }
+        WeightedSample {
+            place,
+            weighted_depth,
+            depth_low: depth - 100,
+            depth_high: depth + 100,
+            attributes,
+            ..WeightedSample::default()
+        }
     }
 
     /// Feeds the samples as fast as they are taken, with slot 1 ready from a cycle on; returns the unit and when copies retired.
@@ -273,7 +324,7 @@ mod tests {
     fn pixels_are_blended_replaced_and_kept() {
         let pixel = |samples: &[WeightedSample]| {
             let unit = run(&config(), samples, 0).0;
-            let Pixel { weight, depth, peak, attributes } = unit.pixels[index(SlotPixel { slot: 1, pixel: 9 })];
+            let Pixel { weight, depth, peak, attributes, .. } = unit.pixels[index(SlotPixel { slot: 1, pixel: 9 })];
             (weight, depth, peak, attributes[0], attributes[1])
         };
         let base = [sample(9, 10, 1000), sample(9, 20, 1050)];

@@ -72,17 +72,17 @@ impl Arithmetic {
         }
     }
 
-    /// A sum and one more weighted attribute.
+    /// The sum of two sums.
     #[must_use]
-    pub fn add(self, sum: u64, contribution: u64) -> u64 {
+    pub fn add(self, sum: u64, other: u64) -> u64 {
         match self.0 {
             AttributeFormat::Float(format) => {
-                let [sum, contribution] = [sum, contribution].map(|bits| Number::new(format, bits as u32));
-                (sum + contribution).saturated().bits().into()
+                let [sum, other] = [sum, other].map(|bits| Number::new(format, bits as u32));
+                (sum + other).saturated().bits().into()
             }
             AttributeFormat::Fixed(fraction) => {
-                let (sum, contribution) = (signed(fraction.sum(), sum), signed(fraction.contribution(), contribution));
-                encoded(fraction.sum(), sum + contribution)
+                let [sum, other] = [sum, other].map(|bits| signed(fraction.sum(), bits));
+                encoded(fraction.sum(), sum + other)
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Lane: a rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3).
 
 use super::{
-    Accumulator, Latencies, Payloads, Prefetch, Rasterizer, Reorder, TileCache, Weighting, accumulator, payloads,
-    prefetch, rasterizer, reorder, tile_cache, weighting,
+    Accumulator, Latencies, MotionRasterizer, Payloads, Prefetch, Rasterizer, Reorder, TileCache, Weighting,
+    accumulator, payloads, prefetch, rasterizer, reorder, tile_cache, weighting,
 };
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
@@ -59,6 +59,37 @@ impl Shown {
     }
 }
 
+/// The rasterizer that a configuration has.
+#[derive(Clone, Debug)]
+enum Drawing {
+    Still(Rasterizer),
+    Moving(MotionRasterizer),
+}
+
+impl Drawing {
+    fn new(config: &Config, latency: u32) -> Self {
+        if config.has_motion() {
+            Self::Moving(MotionRasterizer::new(config, latency))
+        } else {
+            Self::Still(Rasterizer::new(config, latency))
+        }
+    }
+
+    fn outputs(&self) -> rasterizer::Out {
+        match self {
+            Self::Still(unit) => unit.outputs(),
+            Self::Moving(unit) => unit.outputs(),
+        }
+    }
+
+    fn clock(&mut self, inputs: &rasterizer::In) {
+        match self {
+            Self::Still(unit) => unit.clock(inputs),
+            Self::Moving(unit) => unit.clock(inputs),
+        }
+    }
+}
+
 /// A lane.
 #[derive(Clone, Debug)]
 pub struct Lane {
@@ -66,7 +97,7 @@ pub struct Lane {
     reorder: Reorder,
     prefetch: Option<Prefetch>,
     tile_cache: TileCache,
-    rasterizer: Rasterizer,
+    rasterizer: Drawing,
     weighting: Weighting,
     accumulator: Accumulator,
 }
@@ -80,7 +111,7 @@ impl Lane {
             reorder: Reorder::new(config),
             prefetch: config.has_payloads_in_memory().then(|| Prefetch::new(config)),
             tile_cache: TileCache::new(config),
-            rasterizer: Rasterizer::new(config, latencies.rasterizer),
+            rasterizer: Drawing::new(config, latencies.rasterizer),
             weighting: Weighting::new(config, latencies.weighting),
             accumulator: Accumulator::new(config),
         }
@@ -149,6 +180,7 @@ impl Lane {
             input: payloads.out,
             out_ready: weighting.in_ready,
             filter_scale: inputs.filter_scale,
+            depth_a: inputs.depth_a,
         });
         self.weighting.clock(&weighting::In { input: rasterizer.out, out_ready: accumulator.in_ready });
         self.accumulator.clock(&accumulator::In {

@@ -45,7 +45,7 @@ pub use normalizer::Normalizer;
 pub use parts::share::Share;
 pub use payloads::Payloads;
 pub use prefetch::Prefetch;
-pub use rasterizer::Rasterizer;
+pub use rasterizer::{MotionRasterizer, Rasterizer};
 pub use reorder::Reorder;
 pub use setup::{Dropped, Setup, Slant};
 pub use splitter::Splitter;

@@ -9,11 +9,16 @@ use crate::number::Number;
 use crate::unit::Model;
 use pointcore_contract::Format;
 use pointcore_contract::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::records::{FinishedPixel, Fragment};
+use pointcore_contract::splat::motion::{SHUTTER, TIME_BITS, TIME_FRACTION_BITS};
+use pointcore_contract::splat::records::{
+    Attributes, Bin, Contributions, FinishedPixel, Fragment, Pixel, Seen, Shutter,
+};
 pub use pointcore_contract::splat::units::normalizer::{In, Out};
 use pointcore_contract::splat::{Config, Division};
 
 const SIZE: u32 = TILE_SIZE;
+/// Cycles that a bin takes, in which its nearest surface and the rest are divided.
+const SURFACES_A_BIN: u32 = 2;
 
 /// The normalizer.
 #[derive(Clone, Debug)]
@@ -23,6 +28,8 @@ pub struct Normalizer {
     attribute: Arithmetic,
     division: Division,
     tile_column_bits: u32,
+    /// Bins of the exposure, none where nothing moves.
+    bins: u32,
     datapath: Datapath<Fragment>,
 }
 
@@ -36,33 +43,55 @@ impl Normalizer {
             attribute: Arithmetic(config.attribute),
             division: config.division,
             tile_column_bits: config.tile_column_bits(),
-            datapath: Datapath::new(latency, 1),
+            bins: config.time_bins,
+            datapath: Datapath::new(latency, if config.has_motion() { SURFACES_A_BIN } else { 1 }),
         }
     }
 
-    fn normalize(&self, finished: &FinishedPixel) -> Fragment {
+    fn normalize(&self, finished: &FinishedPixel, shutter: &Shutter) -> Fragment {
         if finished.end {
             return Fragment { end: true, ..Fragment::default() };
         }
         let placed = &finished.placed;
-        let sums = placed.value.attributes;
-        let weight = u64::from(placed.value.weight);
-        let r = recip(self.division, Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS));
-        let depth = Number::from_fixed(self.geometry, placed.value.depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
+        let Pixel { weight, depth, attributes, ref bin, .. } = placed.value;
+        let [tile_column, tile_row] =
+            [placed.tile & ((1 << self.tile_column_bits) - 1), placed.tile >> self.tile_column_bits];
+        let pixel = u32::from(placed.pixel);
+        let column = tile_column * SIZE + pixel % SIZE;
+        let (depth, attributes) = self.surface(weight, depth, attributes);
+        let seen =
+            if self.bins > 0 { self.seen(bin, shutter.weight[(column % self.bins) as usize]) } else { Seen::default() };
+        Fragment {
+            end: false,
+            column: column as u16,
+            row: (tile_row * SIZE + pixel / SIZE) as u16,
+            depth: depth.bits(),
+            attributes,
+            seen,
+        }
+    }
+
+    /// Depth and attributes of sums of this weight.
+    fn surface(&self, weight: u32, depth: u64, sums: Contributions) -> (Number, Attributes) {
+        let r = recip(self.division, Number::from_fixed(self.geometry, weight.into(), WEIGHT_SUM_BITS, WEIGHT_BITS));
+        let depth = Number::from_fixed(self.geometry, depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
         let mut attributes = sums.map(|bits| bits as u32);
         for (attribute, sum) in attributes[..self.continuous].iter_mut().zip(sums) {
             *attribute = self.attribute.normalize(sum, r, self.geometry);
         }
-        let [tile_column, tile_row] =
-            [placed.tile & ((1 << self.tile_column_bits) - 1), placed.tile >> self.tile_column_bits];
-        let pixel = u32::from(placed.pixel);
-        Fragment {
-            end: false,
-            column: (tile_column * SIZE + pixel % SIZE) as u16,
-            row: (tile_row * SIZE + pixel / SIZE) as u16,
-            depth: depth.bits(),
-            attributes,
-        }
+        (depth, attributes)
+    }
+
+    /// What a bin that counts so much sees: for how long the nearest surface, and for how long the rest besides.
+    fn seen(&self, bin: &Bin, counts: u32) -> Seen {
+        let length = (1 << TIME_FRACTION_BITS) / self.bins;
+        let [nearest, any] = [bin.nearest, bin.any].map(|[early, late]| (early + late).saturating_sub(length));
+        let share = |time: u32| {
+            let counted = (u64::from(time) * u64::from(counts)) >> SHUTTER.fraction;
+            counted.min((1 << TIME_BITS) - 1) as u32
+        };
+        let (depth, attributes) = self.surface(bin.weight, bin.depth, bin.attributes);
+        Seen { share: share(nearest), rest_share: share(any.saturating_sub(nearest)), depth: depth.bits(), attributes }
     }
 }
 
@@ -76,7 +105,8 @@ impl Model for Normalizer {
     }
 
     fn clock(&mut self, inputs: &In) {
-        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|pixel| self.normalize(pixel));
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
+        let accepted = accepted.map(|pixel| self.normalize(pixel, &inputs.shutter));
         self.datapath.step(accepted.map(Token::Kept), inputs.out_ready);
     }
 }
@@ -92,9 +122,15 @@ mod tests {
         let mut attributes = [0; 14];
         attributes[..2].copy_from_slice(&[0x4500, 77]); // 5.0 in f16
         // A weight of 2 and a depth of ¾.
-        let value = Pixel { weight: 2 << WEIGHT_BITS, depth: 3 << (WEIGHT_BITS + DEPTH_BITS - 1), peak: 1, attributes };
+        let value = Pixel {
+            weight: 2 << WEIGHT_BITS,
+            depth: 3 << (WEIGHT_BITS + DEPTH_BITS - 1),
+            peak: 1,
+            attributes,
+            ..Pixel::default()
+        };
         let placed = PlacedPixel { tile: 3 << 5 | 9, pixel: 2 << 3 | 5, value };
-        let fragment = unit.normalize(&FinishedPixel { end: false, placed });
+        let fragment = unit.normalize(&FinishedPixel { end: false, placed }, &Shutter::default());
         assert_eq!((fragment.column, fragment.row, fragment.depth), (77, 26, 0.75_f32.to_bits()));
         assert_eq!(fragment.attributes[..2], [0x4100, 77]); // 2.5 in f16
     }

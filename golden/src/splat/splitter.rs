@@ -76,7 +76,7 @@ impl Work {
 
     /// The copy for the current tile; `None` if none of the octagon lies in it.
     fn copy(&self, grid: Grid) -> Option<SplatCopy> {
-        let SetupSplat { end, footprint, attributes, bounds, .. } = self.splat;
+        let SetupSplat { end, footprint, moving, attributes, bounds, .. } = self.splat;
         if end {
             return Some(SplatCopy { end, ..SplatCopy::default() });
         }
@@ -98,7 +98,7 @@ impl Work {
             [first_sum, last_sum, first_difference, last_difference, top, bottom].map(|place| place as u16);
         let bounds = TileRectangle { left, right, top, bottom };
         let diagonals = TileDiagonals { first_sum, last_sum, first_difference, last_difference };
-        Some(SplatCopy { end, first: self.first, footprint, attributes, bounds, diagonals, tile })
+        Some(SplatCopy { end, first: self.first, footprint, moving, attributes, bounds, diagonals, tile })
     }
 }
 
@@ -111,14 +111,14 @@ fn intersection(first: u16, last: u16, tile: u16) -> (u16, u16) {
 /// What copies leave through: one lane takes a copy every second cycle at most, several take one a cycle.
 #[derive(Clone, Debug)]
 enum Exit {
-    ToOne(HalfBuffer<SplatCopy>),
+    ToOne(Box<HalfBuffer<SplatCopy>>),
     ToSeveral(Skid<SplatCopy>),
 }
 
 impl Exit {
     fn new(config: &Config) -> Self {
         match config.rasterizers {
-            1 => Self::ToOne(HalfBuffer::default()),
+            1 => Self::ToOne(Box::default()),
             _ => Self::ToSeveral(Skid::default()),
         }
     }
@@ -157,7 +157,7 @@ impl Splitter {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        let columns = config.sampling.columns() as u16;
+        let columns = config.columns_a_pixel() as u16;
         let grid = Grid { tile_column_bits: config.tile_column_bits(), row_bits: config.row_bits(), columns };
         Self { grid, work: None, out: Exit::new(config) }
     }
@@ -233,7 +233,7 @@ mod tests {
                     let (origin_x, origin_y) = ((copy.tile & 7) as u16 * 8, (copy.tile >> 3) as u16 * 8);
                     assert!(copy.bounds.top <= copy.bounds.bottom);
                     for y in copy.bounds.top..=copy.bounds.bottom {
-                        let columns = columns(sampling, &copy.bounds, &copy.diagonals, y);
+                        let columns = columns(samples.into(), &copy.bounds, &copy.diagonals, y);
                         assert!(!columns.is_empty(), "row {y} of {copy:?}");
                         columns.for_each(|x| covered[usize::from(origin_y + y) * 64 + usize::from(origin_x + x)] += 1);
                     }

@@ -1,7 +1,7 @@
 //! Transform unit: model-view transformation (thesis 5.4.1, table 5.1).
 //!
 //! A datapath of interval `transform_interval`, in the geometry format. Splats that do not reach beyond the near plane are dropped, without
-//! the part for the eye plane all whose centre does not lie beyond it. Attributes become finite.
+//! the part for the eye plane all whose centre does not lie beyond it; where splats may move, none but those that are nowhere. Attributes become finite.
 
 use super::attribute::Arithmetic;
 use super::uniforms::TransformUniforms;
@@ -9,7 +9,7 @@ use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::unit::Model;
 use pointcore_contract::Format;
-use pointcore_contract::splat::records::{Attributes, Splat};
+use pointcore_contract::splat::records::{Attributes, Motion, Splat};
 pub use pointcore_contract::splat::units::transform::{In, Out};
 use pointcore_contract::splat::{Config, Feature};
 
@@ -20,6 +20,7 @@ pub struct Transform {
     geometry: Format,
     eye_plane: Feature,
     attribute: Arithmetic,
+    has_motion: bool,
     datapath: Datapath<Splat>,
 }
 
@@ -32,6 +33,7 @@ impl Transform {
             geometry: config.geometry,
             eye_plane: config.eye_plane,
             attribute: Arithmetic(config.attribute),
+            has_motion: config.has_motion(),
             datapath: Datapath::new(latency, config.transform_interval),
         }
     }
@@ -47,15 +49,19 @@ impl Transform {
         let rotate = |[x, y, z]: [Number; 3]| matrix.map(|m| m[0] * x + m[1] * y + m[2] * z);
         let rotated = rotate(splat.center.map(number));
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
+        let motion = Motion { way: rotate(splat.motion.way.map(number)).map(Number::bits), part: splat.motion.part };
         let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
 
         let near = number(uniforms.near_plane);
         // More than both tangents together bring it forward, and exact: none is dropped for a rounding.
         let reach = a1[2].abs().max(a2[2].abs()).raised(1);
         let reaches_beyond = self.eye_plane.is_on() && near.is_below(center[2] + reach);
-        (near.is_below(center[2]) || reaches_beyond).then(|| Splat {
+        // Of one that moves, setup knows when it is seen.
+        let may_come = self.has_motion && center[2].is_at_most(near);
+        (near.is_below(center[2]) || reaches_beyond || may_come).then(|| Splat {
             center: center.map(Number::bits),
             tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
+            motion: if self.has_motion { motion } else { Motion::default() },
             attributes: self.finite(splat.attributes),
             end: false,
         })

@@ -2,7 +2,7 @@
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{EpsilonScale, ModelView, UniformWrite, Uniforms, Viewport};
-use pointcore_contract::{Visit, Visitor, Word, Words};
+use pointcore_contract::{Visit, Visitor, Word, Words, fields};
 
 /// What the transform unit reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,9 +26,13 @@ pub struct SetupUniforms {
     pub filter_radius: u32,
 }
 
-/// Writes a register; there is nothing at addresses beyond the last.
+/// Writes the bits that a register has; there is nothing at addresses beyond the last.
 pub fn write_uniform(uniforms: &mut Uniforms, config: &Config, write: UniformWrite) {
-    uniforms.visit(config, &mut RegisterWrite { countdown: Some(write.address), data: write.data });
+    let UniformWrite { address, data } = write;
+    if let Some(field) = fields::<Uniforms>(config).get(usize::from(address)) {
+        let data = data & (u32::MAX >> (u32::BITS - field.width));
+        uniforms.visit(config, &mut RegisterWrite { countdown: Some(address), data });
+    }
 }
 
 /// Replaces the value that is met when the countdown has run out.

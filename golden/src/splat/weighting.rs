@@ -32,13 +32,20 @@ impl Weighting {
     /// A sample with its contributions.
     #[must_use]
     pub fn weigh(&self, sample: &Sample) -> WeightedSample {
-        let Sample { place, band, attributes } = *sample;
+        let Sample { place, band, time, attributes } = *sample;
         let mut contributions = attributes.map(u64::from);
         for (contribution, attribute) in contributions[..self.continuous].iter_mut().zip(attributes) {
             *contribution = self.attribute.weigh(place.weight, attribute);
         }
         let weighted_depth = u64::from(place.weight) * u64::from(band.depth);
-        WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes: contributions }
+        WeightedSample {
+            place,
+            weighted_depth,
+            depth_low: band.low,
+            depth_high: band.high,
+            time,
+            attributes: contributions,
+        }
     }
 }
 
@@ -68,7 +75,8 @@ mod tests {
         let mut attributes = [0; 14];
         attributes[..2].copy_from_slice(&[0xc200, 77]); // −3.0 in f16
         let place = SamplePlace { weight: 1 << 15, inside: true, ..SamplePlace::default() };
-        let weighted = unit.weigh(&Sample { place, band: Band { depth: 11, low: 10, high: 12 }, attributes });
+        let weighted =
+            unit.weigh(&Sample { place, band: Band { depth: 11, low: 10, high: 12 }, attributes, ..Sample::default() });
         assert_eq!((weighted.weighted_depth, weighted.depth_low, weighted.depth_high), (11 << 15, 10, 12));
         assert_eq!(weighted.attributes[..2], [0xbe00, 77]); // −1.5 in f16
     }

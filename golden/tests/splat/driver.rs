@@ -69,7 +69,8 @@ pub fn record(config: &Config, splat: &Splat) -> SplatRecord {
     let mut attributes = [0; 14];
     let values = continuous.take(config.continuous as usize).chain([u32::from(splat.material)]);
     attributes.iter_mut().zip(values).for_each(|(place, value)| *place = value);
-    SplatRecord { end: false, center: geometry(splat.center), tangents: splat.tangents.map(geometry), attributes }
+    let tangents = splat.tangents.map(geometry);
+    SplatRecord { center: geometry(splat.center), tangents, attributes, ..SplatRecord::default() }
 }
 
 /// Values of the uniform registers, in their order.
@@ -143,7 +144,7 @@ impl Bench {
             top: Top::new(config, latencies),
             // Contents before the first write must not matter.
             memory: Memory {
-                tiles: vec![[GARBAGE; 64]; config.buffer_tiles()],
+                tiles: vec![[garbage(); 64]; config.buffer_tiles()],
                 beats: ports.clone().map(|_| VecDeque::new()).collect(),
             },
             random,
@@ -256,4 +257,6 @@ impl Bench {
     }
 }
 
-const GARBAGE: Pixel = Pixel { weight: 12_345, depth: 678_910, peak: 11, attributes: [0x1234; 14] };
+fn garbage() -> Pixel {
+    Pixel { weight: 12_345, depth: 678_910, peak: 11, attributes: [0x1234; 14], ..Pixel::default() }
+}

@@ -4,8 +4,8 @@
 use pointcore_contract::bus::units::FRAMES_MAX;
 use pointcore_contract::bus::units::frames::Ports;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms};
-use pointcore_contract::{fields, places};
+use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, late_uniforms};
+use pointcore_contract::{Field, fields};
 
 use crate::units::ports::{Pulse, PulseInPorts, PulseOutPorts, WordPort};
 use crate::units::wires::Wires;
@@ -27,7 +27,7 @@ pub fn module(config: &Config) -> Module {
     let is_alone = m.wire("is_alone", under_way.is_zero());
     let has_room = !(*setting_up | under_way.eq_lit(FRAMES_MAX.into()));
     let begins = m.forward("begins", 1);
-    let must_be_alone = filter_changes(&mut m, config, &write, begins.expr());
+    let must_be_alone = late_changes(&mut m, config, &write, begins.expr());
     m.drive(begins, *waiting & has_room & (is_alone | !must_be_alone));
     m.next(setting_up, begins | (setting_up & !set_up));
     m.next(under_way, under_way + begins.zext(under_way.width()) - sent.zext(under_way.width()));
@@ -48,15 +48,18 @@ pub fn module(config: &Config) -> Module {
     m
 }
 
-/// Whether the next frame's `filter_scale` is another: rasterizers read it, which may still be at work on the frames before.
-fn filter_changes(m: &mut Module, config: &Config, write: &Pulse<UniformWrite<Wires>>, begins: Expr) -> Expr {
-    let Some(place) = places::<Uniforms>(config).filter_scale else { return bit(false) };
-    let width = config.filter_scale_format().width();
-    let value = write.record.data.trunc(width);
-    let is_written = m.wire("writes_filter", write.valid & write.record.address.eq_lit(place as u128));
-    let filter = m.reg("filter", width);
-    m.next_if(filter, is_written, value);
-    let changes = m.reg_reset("filter_changes", 1, 0);
-    m.next(changes, (is_written & !filter.eq(value)) | (changes & !begins));
-    changes.expr()
+/// Whether the next frame has another value of what is read late: by units that may still be at work on the frames before.
+fn late_changes(m: &mut Module, config: &Config, write: &Pulse<UniformWrite<Wires>>, begins: Expr) -> Expr {
+    let uniforms = fields::<Uniforms>(config);
+    let changes = late_uniforms(config).into_iter().map(|place| {
+        let Field { name, width, .. } = &uniforms[place];
+        let value = write.record.data.trunc(*width);
+        let is_written = m.wire(&format!("writes_{name}"), write.valid & write.record.address.eq_lit(place as u128));
+        let last = m.reg(name, *width);
+        m.next_if(last, is_written, value);
+        let changes = m.reg_reset(&format!("{name}_changes"), 1, 0);
+        m.next(changes, (is_written & !last.eq(value)) | (changes & !begins));
+        changes.expr()
+    });
+    changes.reduce(|any, one| any | one).unwrap_or(bit(false))
 }

@@ -120,6 +120,10 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
         let scale = PORTS.filter_scale.declare_word(&mut m, config.filter_scale_format().width());
         samples::PORTS.filter_scale.feed_word(&mut m, rasterizer, scale);
     }
+    if config.has_motion() {
+        let depth_a = PORTS.depth_a.declare_word(&mut m, config.geometry.width());
+        samples::PORTS.depth_a.feed_word(&mut m, rasterizer, depth_a);
+    }
     let rasterizer = samples::PORTS.events.of(&mut m, config, rasterizer);
     let accumulator = sums::PORTS.events.of(&mut m, config, accumulator);
     PORTS.events.drive(&mut m, config, LaneEvents { rasterizer, accumulator });

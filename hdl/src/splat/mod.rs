@@ -75,8 +75,15 @@ mod tests {
     fn every_unit_of_the_contract_is_described_under_its_name() {
         let specified = units::UNITS.map(|unit| unit.module);
         assert_eq!(UNITS.map(|(unit, _)| unit.module), specified);
-        let config = Config::default();
-        assert_eq!(UNITS.map(|(_, describe)| described(describe, &config).unit().to_owned()), specified);
+        let name = |(unit, describe): (&Unit<Config>, Describe)| {
+            let config = if unit.module.contains("motion") { moving() } else { Config::default() };
+            described(describe, &config).unit().to_owned()
+        };
+        assert_eq!(UNITS.map(name), specified);
+    }
+
+    fn moving() -> Config {
+        Config { time_bins: 4, screen_filter: Feature::Off, ..Config::default() }
     }
 
     #[test]
@@ -101,8 +108,10 @@ mod tests {
             ..Config::default()
         };
         let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::Sixteen)), ..Config::default() };
-        for config in [Config::default(), small, fixed, coarse, integers] {
-            for (unit, describe) in UNITS {
+        let one_bin = Config { time_bins: 1, cardinal: 1, ..moving() };
+        for config in [Config::default(), small, fixed, coarse, integers, moving(), one_bin] {
+            let left_out = if config.has_motion() { "splat_setup" } else { "splat_motion_" };
+            for (unit, describe) in UNITS.into_iter().filter(|(unit, _)| !unit.module.starts_with(left_out)) {
                 check(&described(describe, &config), unit.ports(&config));
             }
         }
@@ -113,7 +122,7 @@ mod tests {
         let config = Config { cardinal: 1, ..Config::default() };
         let several = Config { rasterizers: 4, memory_ports: 2, ..Config::default() };
         let (core, describe) = UNITS[UNITS.len() - 1];
-        for config in [config, several] {
+        for config in [config, several, moving()] {
             check_in_order(&described(describe, &config), &core.ports(&config));
         }
     }

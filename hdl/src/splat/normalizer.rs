@@ -3,11 +3,17 @@
 use super::parts::division::recip;
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
 use crate::units::datapath;
-use crate::units::values::Terms;
+use crate::units::values::{Terms, Uniforms, Values};
 use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
-use pointcore_contract::splat::records::{FinishedPixel, Fragment, LOCAL_BITS, PlacedPixel};
+use pointcore_contract::splat::motion::{SHUTTER, TIME_BITS};
+use pointcore_contract::splat::records::{
+    ATTRIBUTES, Bin, FinishedPixel, Fragment, LOCAL_BITS, PlacedPixel, Seen, Shutter,
+};
 use pointcore_contract::splat::{AttributeFormat, Config, Fraction, units};
 use pointcore_contract::{Fixed, Format};
+
+/// Cycles that a bin takes, in which its nearest surface and the rest are divided.
+const SURFACES_A_BIN: u32 = 2;
 
 /// Divides a pixel's sums by its weight and states its place in the image.
 ///
@@ -17,23 +23,54 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let program = Program::new("splat_normalizer", "A finished pixel's sums divided by its weight.");
     let FinishedPixel { end, placed } = FinishedPixel::inputs(&program, config);
     let PlacedPixel { tile, pixel, value: sums } = placed;
-    let scale = recip(config.division, sums.weight.to_float(config.geometry, WEIGHT_BITS));
-    let depth = sums.depth.to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
-    name!(scale);
-
     let column_bits = config.tile_column_bits();
     let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(LOCAL_BITS - 1, 0));
     let row = tile.bits(config.tile_bits() - 1, column_bits).cat(pixel.bits(2 * LOCAL_BITS - 1, LOCAL_BITS));
+    let (depth, attributes) = surface(config, &program, sums.weight, sums.depth, sums.attributes);
+    let seen = if config.has_motion() { seen(config, &program, column, &sums.bin) } else { Seen::default() };
+    Fragment { end, column, row, depth, attributes, seen }.outputs(&program, config);
+    let interval = if config.has_motion() { SURFACES_A_BIN } else { 1 };
+    datapath::unit(&units::normalizer::UNIT, config, &program, &options.with_interval(interval))
+}
 
+/// Depth and attributes of sums of this weight.
+fn surface(
+    config: &Config,
+    program: &Program,
+    weight: Value,
+    depth: Value,
+    mut attributes: [Value; ATTRIBUTES],
+) -> (Value, [Value; ATTRIBUTES]) {
+    let scale = recip(config.division, weight.to_float(config.geometry, WEIGHT_BITS));
+    let depth = depth.to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
+    name!(scale);
     let normalized = |sum: Value| match config.attribute {
         AttributeFormat::Float(format) => (sum.as_float(format).convert(config.geometry) * scale).convert(format),
-        AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, sum, scale),
+        AttributeFormat::Fixed(fraction) => divided(program, config.geometry, fraction, sum, scale),
     };
-    let mut attributes = sums.attributes;
     let continuous = &mut attributes[..config.continuous as usize];
     continuous.iter_mut().for_each(|attribute| *attribute = normalized(*attribute));
-    Fragment { end, column, row, depth, attributes }.outputs(&program, config);
-    datapath::unit(&units::normalizer::UNIT, config, &program, options)
+    (depth, attributes)
+}
+
+/// For how long a bin sees its nearest surface, for how long the rest besides, and the rest itself.
+fn seen(config: &Config, program: &Program, column: Value, bin: &Bin<Values>) -> Seen<Values> {
+    let (bits, time_bits) = (config.bin_bits(), config.bin_time_bits());
+    let shutter = Uniforms::<Shutter>::of(program, config, Type::Unsigned(SHUTTER.width));
+    let counts: Vec<_> =
+        (0..config.time_bins as usize).map(|bin| shutter.declare(|shutter| shutter.weight[bin])).collect();
+    let counts = (0..bits).fold(counts, |counts, level| {
+        let odd = column.bits(level, level);
+        counts.chunks(2).map(|pair| odd.mux(pair[1], pair[0])).collect()
+    })[0];
+    let length = program.lit(time_bits + 1, 1 << (time_bits - 1));
+    let less = |from: Value, what: Value| from.lt(what).mux(program.lit(time_bits + 1, 0), from - what);
+    let time = |[early, late]: [Value; 2]| less(early.zext(time_bits + 1) + late.zext(time_bits + 1), length);
+    let (nearest, any) = (time(bin.nearest), time(bin.any));
+    let largest = program.lit(time_bits + 1 + SHUTTER.width, (1 << TIME_BITS) - 1);
+    let share = |time: Value| ((time * counts) >> SHUTTER.fraction).min(largest).bits(TIME_BITS - 1, 0);
+    let (depth, attributes) = surface(config, program, bin.weight, bin.depth, bin.attributes);
+    Seen { share: share(nearest), rest_share: share(less(any, nearest)), depth, attributes }
 }
 
 /// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.

@@ -60,9 +60,13 @@ impl Diagonals {
         let Steps { take, moves, wraps } = *steps;
         // One past the last, and a sign.
         let width = config.diagonal_bits() + 2;
-        let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
-        let pixels = lit(LOCAL_BITS - config.sampling.columns().ilog2(), 0);
-        let column = cat([tile_of(arriving.bounds.left), pixels]).zext(width);
+        let tile_pixels = u128::from(TILE_SIZE / config.columns_a_pixel());
+        let left = tile_of(arriving.bounds.left);
+        // A tile has but one column of pixels where a pixel has as many samples as a tile is wide.
+        let column = match LOCAL_BITS - config.columns_a_pixel().ilog2() {
+            0 => left.zext(width),
+            pixel_bits => cat([left, lit(pixel_bits, 0)]).zext(width),
+        };
         let row = tile_of(arriving.bounds.top);
         let origin = |row: Expr| column + cat([row, lit(LOCAL_BITS, 0)]).zext(width);
         let sums = |place: Expr| place.sub_lit(TILE_SIZE.into());
@@ -90,7 +94,10 @@ impl Diagonals {
     fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
         let Self { first_sum, past_sum, first_difference, past_difference } = *self;
         let wide = |value: Expr| value.zext(DIAGONAL_BITS);
-        let pixel = |column: Expr| column.bits(LOCAL_BITS - 1, config.sampling.columns().ilog2()).zext(LOCAL_BITS);
+        let pixel = |column: Expr| match config.columns_a_pixel().ilog2() {
+            LOCAL_BITS => lit(LOCAL_BITS, 0),
+            sample_bits => column.bits(LOCAL_BITS - 1, sample_bits).zext(LOCAL_BITS),
+        };
         let [first, last] = [pixel(edges.left), pixel(edges.right)];
         let from_below = |column: Expr| cat([lit(1, 1), column]);
         let half = |sum: Expr, constant: u128, other: Expr| {
@@ -225,6 +232,7 @@ pub fn module(config: &Config) -> Module {
         end: splat.end,
         first: *first,
         footprint: splat.footprint,
+        moving: splat.moving,
         attributes: splat.attributes,
         bounds: TileRectangle { top, bottom, ..edges },
         diagonals: diagonals.of_tile(),

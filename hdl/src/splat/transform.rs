@@ -4,7 +4,7 @@ use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, nam
 use crate::units::datapath::{self, dot};
 use crate::units::values::Terms;
 use pointcore_contract::Format;
-use pointcore_contract::splat::records::{ModelView, Splat};
+use pointcore_contract::splat::records::{ModelView, Motion, Splat};
 use pointcore_contract::splat::units::{self, transform::PORTS};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use std::array::from_fn;
@@ -36,6 +36,10 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let longer = v1_z.abs().max(v2_z.abs());
         visible = visible | near.lt(u_z + twice(&program, format, longer));
     }
+    if config.has_motion() {
+        // It may come from there: setup knows when it is seen.
+        visible = visible | u_z.le(near);
+    }
     program.keep_if(splat.end | visible);
 
     let mut attributes = splat.attributes;
@@ -43,7 +47,12 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let continuous = &mut attributes[..config.continuous as usize];
         continuous.iter_mut().for_each(|attribute| *attribute = finite(&program, format, *attribute));
     }
-    Splat { end: splat.end, center, tangents, attributes }.outputs(&program, config);
+    let motion = if config.has_motion() {
+        Motion { way: rotate(splat.motion.way), part: splat.motion.part }
+    } else {
+        Motion::default()
+    };
+    Splat { end: splat.end, center, tangents, motion, attributes }.outputs(&program, config);
     datapath::unit(&units::transform::UNIT, config, &program, &options.with_interval(config.transform_interval))
 }
 

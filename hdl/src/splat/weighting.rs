@@ -4,7 +4,7 @@ use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, nam
 use crate::units::datapath;
 use crate::units::values::Terms;
 use pointcore_contract::splat::config::WEIGHT_BITS;
-use pointcore_contract::splat::records::{Sample, WeightedSample};
+use pointcore_contract::splat::records::{Band, Sample, WeightedSample};
 use pointcore_contract::splat::{AttributeFormat, Config, units};
 
 /// Multiplies depth and continuous attributes by the kernel weight.
@@ -13,7 +13,7 @@ use pointcore_contract::splat::{AttributeFormat, Config, units};
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("splat_weighting", "Weighted depth and attributes of a sample.");
-    let Sample { place, band, mut attributes } = Sample::inputs(&program, config);
+    let Sample { place, band, time, mut attributes } = Sample::inputs(&program, config);
     let weight = place.weight;
     let factor = match config.attribute {
         AttributeFormat::Float(format) => weight.to_float(format, WEIGHT_BITS),
@@ -31,7 +31,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let weighted_depth = weight * band.depth;
     let continuous = &mut attributes[..config.continuous as usize];
     continuous.iter_mut().for_each(|attribute| *attribute = contribution(*attribute));
-    let weighted = WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes };
-    weighted.outputs(&program, config);
+    let Band { low: depth_low, high: depth_high, .. } = band;
+    WeightedSample { place, weighted_depth, depth_low, depth_high, time, attributes }.outputs(&program, config);
     datapath::unit(&units::weighting::UNIT, config, &program, options)
 }

@@ -71,7 +71,7 @@ impl<R: Record<Domain = Values>> Terms for R {}
 /// Uniforms of a program that are declared where they are first used: among operands the compiler puts the oldest first.
 pub(crate) struct Uniforms<'a, R: Record> {
     program: &'a Program,
-    format: Format,
+    kind: Type,
     names: Vec<String>,
     places: R::In<Places>,
 }
@@ -79,13 +79,18 @@ pub(crate) struct Uniforms<'a, R: Record> {
 impl<'a, R: Record> Uniforms<'a, R> {
     /// Uniforms that hold numbers of `format`.
     pub fn new(program: &'a Program, config: &R::Config, format: Format) -> Self {
+        Self::of(program, config, Type::Float(format))
+    }
+
+    /// Uniforms of one type.
+    pub fn of(program: &'a Program, config: &R::Config, kind: Type) -> Self {
         let names = fields::<R>(config).into_iter().map(|field| field.name).collect();
-        Self { program, format, names, places: places::<R>(config) }
+        Self { program, kind, names, places: places::<R>(config) }
     }
 
     /// Declares one of them, once.
     pub fn declare(&self, field: impl FnOnce(&R::In<Places>) -> Option<usize>) -> Value {
         let place = field(&self.places).expect("datapaths read the uniforms that they have");
-        self.program.uniform(&self.names[place], Type::Float(self.format))
+        self.program.uniform(&self.names[place], self.kind)
     }
 }

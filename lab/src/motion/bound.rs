@@ -1,8 +1,8 @@
 //! What a share of the exposure may be off, as docs/units/splat/motion_evaluation.md derives it.
 
 use super::setup::Magnitudes;
-use pointcore_contract::Format;
-use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS, TIME_BINS};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS};
 use pointcore_golden::reference::motion::distance::SquaredDistance;
 use pointcore_golden::reference::motion::{Interval, Met, MovingFootprint, Place, Shutter};
 
@@ -18,8 +18,8 @@ const LATER_ROUNDINGS: f64 = 16.0;
 const WELL_POSED: f64 = 1.0 / (1 << 17) as f64;
 /// A well-posed sample's integral is off by no more, in `f32`.
 pub const WELL_POSED_ERROR: f64 = 1.0 / 65536.0;
-/// Squared speed below which a sample is narrow.
-const NARROW: f64 = 1.0 / 64.0;
+/// Speed below which a sample is narrow, of an exposure in one bin: with more bins as many times that.
+const NARROW: f64 = 1.0 / 32.0;
 
 /// The truth about a bin of a sample, and what may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,10 +37,10 @@ pub struct Share {
 }
 
 /// The truth about a sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shares {
     /// Of each bin.
-    pub bins: [Share; TIME_BINS],
+    pub bins: Vec<Share>,
 }
 
 impl Shares {
@@ -52,25 +52,18 @@ impl Shares {
 
     /// Of a footprint whose numbers are exact.
     #[must_use]
-    pub fn new(footprint: &MovingFootprint, place: &Place, format: Format, gamma: f64) -> Self {
-        Self::of(&Sample::new(footprint, place, format, gamma))
+    pub fn new(footprint: &MovingFootprint, place: &Place, config: &Config) -> Self {
+        Self::of(&Sample::new(footprint, place, config))
     }
 
     /// Of a splat whose numbers are exact, with the footprint that it has in f64 and its terms.
     #[must_use]
-    pub fn of_splat(
-        footprint: &MovingFootprint,
-        magnitudes: &Magnitudes,
-        place: &Place,
-        format: Format,
-        gamma: f64,
-    ) -> Self {
-        Self::of(&Sample::new(footprint, place, format, gamma).set_up(magnitudes, place))
+    pub fn of_splat(footprint: &MovingFootprint, magnitudes: &Magnitudes, place: &Place, config: &Config) -> Self {
+        Self::of(&Sample::new(footprint, place, config).set_up(magnitudes, place))
     }
 
     fn of(sample: &Sample) -> Self {
-        let mut bins = Interval::equal_parts(TIME_BINS).map(|part| sample.share(part));
-        Self { bins: std::array::from_fn(|_| bins.next().expect("there are as many parts as bins")) }
+        Self { bins: Interval::equal_parts(sample.bins).map(|part| sample.share(part)).collect() }
     }
 }
 
@@ -78,6 +71,8 @@ struct Sample<'a> {
     footprint: &'a MovingFootprint,
     met: Met,
     gamma: f64,
+    /// Bins of the exposure.
+    bins: usize,
     /// Half a unit in the last place of one.
     unit: f64,
     /// Sums of magnitudes of the terms over `D`: of place and speed.
@@ -91,7 +86,8 @@ struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    fn new(footprint: &'a MovingFootprint, place: &Place, format: Format, gamma: f64) -> Self {
+    fn new(footprint: &'a MovingFootprint, place: &Place, config: &Config) -> Self {
+        let Config { geometry: format, kernel_gamma: gamma, time_bins, .. } = *config;
         let met = footprint.meet(place);
         let unit = 0.5_f64.powi(format.mantissa as i32 + 1);
         let [x, y] = [0, 1].map(|axis: usize| (place.position[axis] - footprint.center[axis]).abs());
@@ -107,7 +103,7 @@ impl<'a> Sample<'a> {
             if limit.is_finite() { 4.0 * unit * (limit.abs() * (1.0 + cancellation) + offset.abs()) } else { 0.0 }
         });
         let terms = [of_places, of_speeds].map(|sum| sum / determinant);
-        Self { footprint, met, gamma, unit, terms, cancellation, planes, of_setup: [0.0; 3] }
+        Self { footprint, met, gamma, bins: time_bins as usize, unit, terms, cancellation, planes, of_setup: [0.0; 3] }
     }
 
     /// With setup's roundings.
@@ -221,9 +217,10 @@ impl<'a> Sample<'a> {
             let bend = 12.0 * square(self.gamma) * square(squared_speed * square(part.length())) / 2880.0;
             (2.0 * of_kernel + bend) * reached
         };
-        if squared_speed < 0.99 * NARROW {
+        let narrow = square(NARROW * self.bins as f64);
+        if squared_speed < 0.99 * narrow {
             simpson()
-        } else if squared_speed > 1.01 * NARROW {
+        } else if squared_speed > 1.01 * narrow {
             difference()
         } else {
             simpson().max(difference())

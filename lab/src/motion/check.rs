@@ -10,7 +10,7 @@ use pointcore::stimuli::motion::{Family, Moved, camera, encoded, motion_uniforms
 use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::motion::{SHARE_BITS, TIME_BINS, TIME_FRACTION_BITS, TIMES};
+use pointcore_contract::splat::motion::{SHARE_BITS, TIME_FRACTION_BITS};
 use pointcore_contract::splat::records::{self, ImageRectangle, MovingPlace, MovingSample};
 use pointcore_golden::reference::motion::{Interval, MovingFootprint, Place, Way};
 use pointcore_golden::splat::{MotionEvaluation, MotionSetup, MotionUniforms};
@@ -21,7 +21,7 @@ pub struct Case {
     /// What it was made of.
     pub moved: Moved,
     /// The splat as setup takes it.
-    pub splat: records::MovingSplat,
+    pub splat: records::Splat,
     /// The footprint of that, in f64.
     pub footprint: MovingFootprint,
     /// Magnitudes of its terms.
@@ -86,7 +86,7 @@ pub enum Violation {
     },
     /// Times are in no order, though the sample is covered.
     #[error("times {0:?}")]
-    Order([u32; TIMES]),
+    Order(Vec<u32>),
     /// A well-posed share is off by more than 2⁻¹⁶.
     #[error("well-posed, but off by {0}")]
     WellPosed(f64),
@@ -106,14 +106,14 @@ pub fn case(random: &mut Rng, family: Family, config: &Config) -> Option<Case> {
 }
 
 /// A record's numbers.
-fn way(splat: &records::MovingSplat, config: &Config) -> Way {
+fn way(splat: &records::Splat, config: &Config) -> Way {
     let value = |bits: u32| f64::from(decode(config.geometry, bits));
     let vector = |bits: [u32; 3]| DVec3::from_array(bits.map(value));
-    let [begin, end] = splat.part.map(value);
+    let [begin, end] = splat.motion.part.map(value);
     Way {
-        center: vector(splat.splat.center),
-        motion: vector(splat.motion),
-        tangents: splat.splat.tangents.map(vector),
+        center: vector(splat.center),
+        motion: vector(splat.motion.way),
+        tangents: splat.tangents.map(vector),
         part: Interval { begin, end },
     }
 }
@@ -148,19 +148,20 @@ impl Units {
     /// # Errors
     /// What does not hold.
     pub fn evaluate(&self, case: &Case) -> Result<Outcome, Violation> {
-        let Config { geometry, kernel_gamma, .. } = self.config;
+        let geometry = self.config.geometry;
         let record = case.footprint.encoded(geometry);
         let footprint = MovingFootprint::decoded(&record, geometry, case.footprint.bounds.clone());
         let sample = self.evaluation.evaluate(&case.place(record), self.uniforms.viewport.depth_a);
         self.depths(&sample, &footprint, &case.moved.place)?;
-        self.compare(&sample, &Shares::new(&footprint, &case.moved.place, geometry, kernel_gamma))
+        self.compare(&sample, &Shares::new(&footprint, &case.moved.place, &self.config))
     }
 
     /// Holds the depths of a sample against those of a footprint.
     fn depths(&self, sample: &MovingSample, footprint: &MovingFootprint, place: &Place) -> Result<(), Violation> {
         let format = self.config.geometry;
         let depth_a = f64::from(decode(format, self.uniforms.viewport.depth_a));
-        for (time, &depth) in sample.depth.iter().enumerate().filter(|_| sample.inside) {
+        let depths = &sample.depth[..=self.config.time_bins as usize];
+        for (time, &depth) in depths.iter().enumerate().filter(|_| sample.inside) {
             let found = f64::from(depth) / f64::from(1 << DEPTH_BITS);
             let numbers = [depth_a, depth::unit(format)];
             let range = depth::range(footprint, place, sample.time[time], numbers, self.config.depth);
@@ -176,9 +177,8 @@ impl Units {
     /// # Errors
     /// What does not hold.
     pub fn draw(&self, case: &Case) -> Result<Outcome, Violation> {
-        let Config { geometry, kernel_gamma, .. } = self.config;
         let Case { footprint, magnitudes, moved, .. } = case;
-        let truth = Shares::of_splat(footprint, magnitudes, &moved.place, geometry, kernel_gamma);
+        let truth = Shares::of_splat(footprint, magnitudes, &moved.place, &self.config);
         self.compare(&self.drawn(case), &truth)
     }
 
@@ -186,16 +186,17 @@ impl Units {
     #[must_use]
     pub fn place(&self, case: &Case) -> MovingPlace {
         let splat = self.setup.setup(&case.splat, &self.uniforms);
-        case.place(splat.map_or_else(|| case.footprint.encoded(self.config.geometry), |splat| splat.footprint))
+        case.place(splat.map_or_else(|| case.footprint.encoded(self.config.geometry), |splat| splat.moving.footprint))
     }
 
     /// The sample as both units have it; not covered where the splat is dropped, or has bounds without it.
     #[must_use]
     pub fn drawn(&self, case: &Case) -> MovingSample {
         let Some(splat) = self.setup.setup(&case.splat, &self.uniforms) else { return MovingSample::default() };
-        let place = case.place(splat.footprint);
+        let place = case.place(splat.moving.footprint);
         let ImageRectangle { left, right, top, bottom } = splat.bounds;
-        if !((left..=right).contains(&place.column) && (top..=bottom).contains(&place.row)) {
+        let columns = (left >> self.config.bin_bits())..=(right >> self.config.bin_bits());
+        if !(columns.contains(&place.column) && (top..=bottom).contains(&place.row)) {
             return MovingSample::default();
         }
         self.evaluation.evaluate(&place, self.uniforms.viewport.depth_a)
@@ -212,13 +213,13 @@ impl Units {
 }
 
 fn compare(sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> {
-    if sample.inside && !sample.time.is_sorted() {
-        return Err(Violation::Order(sample.time));
+    let times = &sample.time[..=truth.bins.len()];
+    if sample.inside && !times.is_sorted() {
+        return Err(Violation::Order(times.to_vec()));
     }
     let of_inside = |value: f64| if sample.inside { value } else { 0.0 };
     let (mut error, mut of_bound, mut whole, mut bound) = (0.0_f64, 0.0_f64, 0.0, 0.0);
-    for bin in 0..TIME_BINS {
-        let share = truth.bins[bin];
+    for (bin, share) in truth.bins.iter().enumerate() {
         let found = of_inside(f64::from(sample.share[bin]) / f64::from(1 << SHARE_BITS));
         let time = |index: usize| 2.0 * f64::from(sample.time[index]) / f64::from(1 << TIME_FRACTION_BITS);
         let covered = of_inside(time(bin + 1) - time(bin));

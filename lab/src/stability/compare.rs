@@ -83,7 +83,7 @@ pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[MethodOutcome; 
     }
     let mut random = Rng::with_seed(seed);
     let devices = Method::ALL.map(|method| match (method, units.fate(case)) {
-        (Method::Ours, Fate::Drawn(drawn)) => Device::Ours(units, Box::new(drawn)),
+        (Method::Ours, Fate::Drawn(drawn)) => Device::Ours(units, drawn),
         (Method::Ours, _) => Device::Nothing,
         (other, _) => Device::Other(Box::new(Prepared::new(other, case))),
     });

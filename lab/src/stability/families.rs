@@ -158,7 +158,8 @@ fn encoded(family: Family, level: u8, format: Format, lens: Lens, shape: &SplatS
     for attribute in &mut attributes[..6] {
         *attribute = encode(Format::F16, signed(random) as f32);
     }
-    let splat = Splat { end: false, center: vector(shape.center), tangents: shape.tangents.map(vector), attributes };
+    let splat =
+        Splat { center: vector(shape.center), tangents: shape.tangents.map(vector), attributes, ..Splat::default() };
     let filter = if random.bool() { Feature::On } else { Feature::Off };
     let mut case = Case { family, level, format, splat, lens, filter };
     match family {

@@ -54,6 +54,7 @@ pub(crate) fn uniforms(config: &Config) -> Uniforms {
         epsilon: setup.epsilon,
         filter_radius: setup.filter_radius,
         filter_scale: case.filter_scale(),
+        ..Uniforms::default()
     }
 }
 

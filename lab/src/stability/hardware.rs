@@ -14,12 +14,12 @@ pub fn crossing_clearance(format: Format) -> f64 {
 }
 
 /// What became of a splat.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Fate {
     /// It was left out.
     Dropped(Dropped),
     /// It is drawn.
-    Drawn(SetupSplat),
+    Drawn(Box<SetupSplat>),
 }
 
 /// The units, with and without a screen filter.
@@ -74,7 +74,7 @@ impl Units {
         };
         let setup = &self.setup[usize::from(case.filter.is_on())];
         match setup.outcome(&splat, &case.setup_uniforms()) {
-            Ok(drawn) => Fate::Drawn(drawn),
+            Ok(drawn) => Fate::Drawn(Box::new(drawn)),
             Err(dropped) => Fate::Dropped(dropped),
         }
     }
@@ -95,7 +95,7 @@ impl Units {
     #[must_use]
     pub fn accumulated(&self, drawn: &SetupSplat, weight: u16, samples: u32) -> Pixel {
         let place = SamplePlace { inside: true, weight, ..SamplePlace::default() };
-        let sample = Sample { place, band: drawn.footprint.band, attributes: drawn.attributes };
+        let sample = Sample { place, band: drawn.footprint.band, attributes: drawn.attributes, ..Sample::default() };
         let weighted = self.weighting.weigh(&sample);
         let mut pixel = Pixel::default();
         for _ in 0..samples {

@@ -98,6 +98,11 @@ pub(super) fn splat(config: &splat::Config) -> Vec<Constant> {
             config.sampling == Sampling::Flipquad,
             "two columns of samples a pixel, else one in its middle",
         ),
+        count(
+            "TIME_BINS",
+            config.time_bins.into(),
+            "columns that each sample has for parts of the exposure, none where nothing moves",
+        ),
         count("TILE_SIZE", TILE_SIZE.into(), "edge of a tile, in samples"),
         count("BUFFER_BYTES", buffer, "the reconstruction buffer"),
         count("CONTINUOUS", config.continuous.into(), "attributes that are blended"),

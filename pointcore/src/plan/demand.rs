@@ -205,7 +205,7 @@ struct Units<'a> {
 impl<'a> Units<'a> {
     fn new(scene: &Scene, config: &'a Config) -> Self {
         let registers = uniforms(&scene.camera, &scene.rendering, config);
-        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, filter_scale } = registers;
+        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, filter_scale, .. } = registers;
         let without_planes = Config { eye_plane: Feature::Off, ..config.clone() };
         Self {
             config,
@@ -268,7 +268,7 @@ impl<'a> Units<'a> {
     fn samples(&self, drawn: &SetupSplat) -> usize {
         let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
         let columns = |copy: &SplatCopy, row| {
-            rasterizer::columns(self.config.sampling, &copy.bounds, &copy.diagonals, row).count()
+            rasterizer::columns(self.config.columns_a_pixel(), &copy.bounds, &copy.diagonals, row).count()
         };
         self.splitter.copies(drawn).map(|copy| rows(&copy).map(|row| columns(&copy, row)).sum::<usize>()).sum()
     }

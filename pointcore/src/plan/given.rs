@@ -29,6 +29,10 @@ impl Plan {
         let excluded = |effect, reason: String, key, value: String, remedy: String| {
             Err(PlanError::Excluded { effect, reason, key, value, remedy })
         };
+        if config.has_motion() {
+            let (value, remedy) = (config.time_bins.to_string(), "set `time_bins = 0`".to_owned());
+            return excluded("a still picture", "nothing in it moves".to_owned(), "time_bins", value, remedy);
+        }
         let image = [scene.rendering.width, scene.rendering.height];
         for (key, edge, held) in [("width", image[0], config.width), ("height", image[1], config.height)] {
             if edge > held as usize {

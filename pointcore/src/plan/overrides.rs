@@ -5,11 +5,12 @@ use pointcore_contract::splat::Config;
 use serde::Deserialize;
 
 /// Keys of the configuration that follow from the scene alone, and where it says them.
-const SCENE_KEYS: [(&str, &str); 6] = [
+const SCENE_KEYS: [(&str, &str); 7] = [
     ("width", "set `image.width`"),
     ("height", "set `image.height`"),
     ("sampling", "set `image.sampling`"),
     ("depth", "set `splatting.depth`"),
+    ("time_bins", "it is 0 where nothing moves, and scenes that move have no hardware yet"),
     ("kernel_gamma", "set `splatting.kernel_gamma`"),
     ("cardinal", "it is 1 where splats differ in `material`"),
 ];

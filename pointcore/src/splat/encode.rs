@@ -5,11 +5,17 @@ use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::uniforms::uniforms;
 use pointcore_contract::Splat;
+use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{self, Attributes, Uniforms};
 
 /// The record that closes a frame.
-pub const END: records::Splat =
-    records::Splat { end: true, center: [0; 3], tangents: [[0; 3]; 2], attributes: [0; records::ATTRIBUTES] };
+pub const END: records::Splat = records::Splat {
+    end: true,
+    center: [0; 3],
+    tangents: [[0; 3]; 2],
+    motion: records::Motion { way: [0; 3], part: [0; 2] },
+    attributes: [0; records::ATTRIBUTES],
+};
 
 /// What the host sends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,5 +45,12 @@ fn splat_record(splat: &Splat, plan: &Plan) -> records::Splat {
         *attribute = encode_attribute(config.attribute, splat.attributes[index]);
     }
     attributes[config.continuous as usize..config.attributes() as usize].fill(splat.material.into());
-    records::Splat { end: false, center: vector(splat.center), tangents: splat.tangents.map(vector), attributes }
+    let tangents = splat.tangents.map(vector);
+    records::Splat { end: false, center: vector(splat.center), tangents, motion: still(config), attributes }
+}
+
+/// The motion of what stands still for all of the exposure.
+#[must_use]
+pub fn still(config: &Config) -> records::Motion {
+    records::Motion { way: [0; 3], part: [-1.0, 1.0].map(|time| encode(config.geometry, time)) }
 }

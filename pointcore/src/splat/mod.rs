@@ -20,7 +20,7 @@ mod session;
 
 pub use bound::{FrameBound, bounds, copy_interval};
 pub use differences::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, rounding_limit, sum_limit};
-pub use encode::{END, EncodedFrame};
+pub use encode::{END, EncodedFrame, still};
 pub use fates::{Fates, copy_tiles};
 pub use frame::assemble;
 pub use generate::SplatCore;

@@ -57,22 +57,32 @@ fn attributes(random: &mut Rng) -> (u32, u32) {
     (both - cardinal, cardinal)
 }
 
-/// Columns and rows of an image, as many as the sampling admits and a splat can cover in time.
-fn image(random: &mut Rng, sampling: Sampling) -> (u32, u32) {
+/// Columns and rows of an image, a multiple of so many columns, as many as a splat can cover in time.
+fn image(random: &mut Rng, columns: u32) -> (u32, u32) {
     let edge = |random: &mut Rng| mostly(random, 1..=72, 1..=splat::config::IMAGE_EDGE_MAX);
     let (width, height) = (edge(random), edge(random));
-    let width = width.next_multiple_of(sampling.columns());
+    let width = width.next_multiple_of(columns);
     (width, height.min(SAMPLES_MAX / width))
+}
+
+/// Bins of the exposure, in one renderer of six.
+fn time_bins(random: &mut Rng, sampling: Sampling) -> u32 {
+    if random.u8(..6) > 0 {
+        return 0;
+    }
+    one_of(random, &[1, 2, 4, 8]).min(TILE_SIZE / sampling.columns())
 }
 
 /// A renderer.
 #[must_use]
 pub fn renderer(random: &mut Rng) -> splat::Config {
     let sampling = one_of(random, &[Sampling::Center, Sampling::Center, Sampling::Flipquad]);
-    let (width, height) = image(random, sampling);
+    let time_bins = time_bins(random, sampling);
+    let moves = time_bins > 0;
+    let (width, height) = image(random, sampling.columns() * time_bins.max(1));
     let geometry = float(random, &[Format::F32, Format::F24, Format::F24, Format::BF16, Format::BF16]);
     let depth = one_of(random, &[FragmentDepth::Center, FragmentDepth::Plane]);
-    let rasterizer = raster_format(random, geometry, depth);
+    let rasterizer = raster_format(random, geometry, depth).filter(|_| !moves);
     let attribute = if random.bool() {
         float(random, &[Format::F32, Format::F24, Format::F16, Format::BF16]).into()
     } else {
@@ -91,8 +101,9 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         continuous,
         cardinal,
         depth,
-        culling: feature(random),
-        screen_filter: feature(random),
+        time_bins,
+        culling: if moves { Feature::On } else { feature(random) },
+        screen_filter: if moves { Feature::Off } else { feature(random) },
         eye_plane: feature(random),
         kernel_gamma: low + (high - low) * random.f64().powi(2),
         kernel_index_bits: random.u32(4..=10),
@@ -197,6 +208,7 @@ mod tests {
             ("attribute", &["\"f32\"", "\"f16-ftz\"", "\"fixed8\"", "\"fixed12\"", "\"fixed16\""]),
             ("continuous", &["0", "1", "14"]),
             ("cardinal", &["0", "1", "4"]),
+            ("time_bins", &["0", "1", "2", "4", "8"]),
             ("width", &["1", "8", "72"]),
             ("height", &["1", "8", "72"]),
             ("heap_levels", &["2", "8", "14"]),

@@ -1,14 +1,16 @@
 //! Random frames for a renderer of any configuration: scenes of discs, heaps of small splats on a few tiles, hard cases
 //! that whoever asks brings along, and empty frames.
 
+use super::motion::motion;
 use super::one_of;
 use crate::number::{encode, encode_attribute, encode_uniform};
 use crate::splat::END;
 use fastrand::Rng;
 use glam::Vec3;
-use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Splat, Uniforms, Viewport};
+use pointcore_contract::splat::motion::{SHUTTER, TIME_BINS_MAX};
+use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Shutter, Splat, Uniforms, Viewport};
 use pointcore_contract::splat::{AttributeFormat, Config};
-use pointcore_contract::words;
+use pointcore_contract::{places, words};
 use std::f32::consts::TAU;
 
 /// Numbers that are none, or hardly.
@@ -149,8 +151,9 @@ fn view(config: &Config, content: Content, lens: Lens, random: &mut Rng) -> Vec<
     let filter_radius = number(f32::sqrt(1.0 / scale));
     let mut words = words(config, Uniforms { filter_radius, filter_scale, ..uniforms });
     if random.u8(..12) == 0 {
-        // The last one is of another format.
-        let place = random.usize(..words.len() - 1);
+        // From the scale of the filter on they are of other formats.
+        let numbers = places::<Uniforms>(config).filter_scale.expect("it is always there");
+        let place = random.usize(..numbers);
         words[place] = number(one_of(random, &ODD)).into();
     }
     words
@@ -174,7 +177,14 @@ fn camera(config: &Config, lens: Lens, random: &mut Rng) -> Uniforms {
         epsilon: EpsilonScale { scale: number(random.f32()), bias: number(0.05 * random.f32()) },
         filter_radius: 0,
         filter_scale: 0,
+        shutter: if config.has_motion() { shutter(random) } else { Shutter::default() },
     }
+}
+
+/// Bins that count as much as a box's, or anything.
+fn shutter(random: &mut Rng) -> Shutter {
+    let one = 1 << SHUTTER.fraction;
+    Shutter { weight: [(); TIME_BINS_MAX].map(|()| if random.bool() { one } else { random.u32(..2 * one) }) }
 }
 
 fn records(config: &Config, content: Content, most_splats: u32, random: &mut Rng) -> Vec<Splat> {
@@ -226,7 +236,8 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let shorter = if random.u8(..8) == 0 { random.f32() } else { 1.0 };
     let vector = |vector: Vec3| vector.to_array().map(|number| encode(config.geometry, number));
     let tangents = [first * radius, normal.cross(first) * (radius * shorter)].map(vector);
-    Splat { end: false, center: vector(center), tangents, attributes: attributes(config, random) }
+    let motion = motion(config, random);
+    Splat { end: false, center: vector(center), tangents, motion, attributes: attributes(config, random) }
 }
 
 /// Attributes of both kinds, now and then any bits or an odd number.

@@ -5,11 +5,13 @@ use crate::number::encode;
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::motion::TIME_BINS;
 use pointcore_contract::splat::records::{self, Uniforms};
 use pointcore_contract::{Camera, Rendering, Splat, fields, words};
 use pointcore_golden::reference::motion::{Interval, MovingSplat, Place};
 use pointcore_golden::splat::MotionUniforms;
+
+/// Parts of the exposure at whose borders some splats come and go.
+const BORDERS: u32 = 4;
 
 /// What is hard about a splat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -87,7 +89,7 @@ pub fn camera(config: &Config) -> Camera {
 #[must_use]
 pub fn rendering(config: &Config) -> Rendering {
     Rendering {
-        width: config.width as usize,
+        width: (config.width >> config.bin_bits()) as usize,
         height: config.height as usize,
         sampling: config.sampling,
         depth: config.depth,
@@ -99,7 +101,7 @@ pub fn rendering(config: &Config) -> Rendering {
 }
 
 fn pixels(config: &Config) -> f64 {
-    f64::from(config.width / config.sampling.columns())
+    f64::from(config.width / config.columns_a_pixel())
 }
 
 fn uniform(random: &mut Rng, low: f64, high: f64) -> f64 {
@@ -153,8 +155,8 @@ pub fn splat(random: &mut Rng, family: Family) -> MovingSplat {
             }
         }
         Family::AtBorders => {
-            let [first, second] = [(); 2].map(|()| random.usize(0..=TIME_BINS));
-            let border = |index: usize| 2.0 * index as f64 / TIME_BINS as f64 - 1.0;
+            let [first, second] = [(); 2].map(|()| random.u32(0..=BORDERS));
+            let border = |index: u32| f64::from(2 * index) / f64::from(BORDERS) - 1.0;
             part = Interval::new(border(first.min(second)), border(first.max(second))).unwrap_or(part);
         }
         Family::AcrossImage => {
@@ -188,23 +190,43 @@ pub fn moved(random: &mut Rng, family: Family, config: &Config) -> Moved {
 
 /// A splat as setup takes it, with random attributes.
 #[must_use]
-pub fn encoded(moving: &MovingSplat, config: &Config, random: &mut Rng) -> records::MovingSplat {
+pub fn encoded(moving: &MovingSplat, config: &Config, random: &mut Rng) -> records::Splat {
     let number = |value: f64| encode(config.geometry, value as f32);
     let vector = |numbers: [f32; 3]| numbers.map(|value| encode(config.geometry, value));
     let MovingSplat { splat, motion, part } = moving;
     let center = DVec3::from_array(splat.center.map(f64::from)) - part.middle() * *motion;
     let mut attributes = records::Attributes::default();
     attributes[..config.attributes() as usize].fill_with(|| random.u32(..) >> (32 - config.attribute.width()));
-    records::MovingSplat {
-        splat: records::Splat {
-            end: false,
-            center: center.to_array().map(number),
-            tangents: splat.tangents.map(vector),
-            attributes,
-        },
-        motion: motion.to_array().map(number),
-        part: [part.begin, part.end].map(number),
+    records::Splat {
+        end: false,
+        center: center.to_array().map(number),
+        tangents: splat.tangents.map(vector),
+        motion: records::Motion { way: motion.to_array().map(number), part: [part.begin, part.end].map(number) },
+        attributes,
     }
+}
+
+/// A motion of any speed, or none, for all of the exposure or a part of it; nothing where nothing moves.
+#[must_use]
+pub fn motion(config: &Config, random: &mut Rng) -> records::Motion {
+    if !config.has_motion() {
+        return records::Motion::default();
+    }
+    let number = |number: f32| encode(config.geometry, number);
+    let speed = match random.u8(..8) {
+        0 | 1 => 0.0,
+        2 => 1e-6 * random.f32(),
+        3 => 8.0,
+        _ => (-5.0 * random.f32()).exp2(),
+    };
+    let mut part = match random.u8(..4) {
+        0 => [(); 2].map(|()| 2.0 * random.f32() - 1.0),
+        1 => [(); 2].map(|()| 2.0 * random.u32(0..=config.time_bins) as f32 / config.time_bins as f32 - 1.0),
+        _ => [-1.0, 1.0],
+    };
+    part.sort_by(f32::total_cmp);
+    let way = [(); 3].map(|()| number(speed * (2.0 * random.f32() - 1.0)));
+    records::Motion { way, part: part.map(number) }
 }
 
 /// What setup's splats share.

@@ -119,6 +119,19 @@ pub fn integer_configs() -> [Config; 3] {
     [fixed(bare, Coefficient::Eighteen), fixed(coarse, Coefficient::Sixteen), fixed(mixed, Coefficient::Eighteen)]
 }
 
+/// Those in which splats may move: one bin of the exposure and several, in every format, in tiles with one column of pixels and more.
+pub fn moving_configs() -> [Config; 4] {
+    let [bare, full, mixed] = configs();
+    let moving = |config: Config, time_bins: u32| {
+        let columns = config.sampling.columns() * time_bins;
+        let width = (2 * config.width).next_multiple_of(columns);
+        Config { width, time_bins, culling: Feature::On, screen_filter: Feature::Off, ..config }
+    };
+    let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..full.clone() };
+    let newton = Config { geometry: Format::F24.flushed(), division: Division::Newton, ..mixed };
+    [moving(bare, 4), moving(full, 2), moving(newton, 4), moving(Config { continuous: 3, ..fixed }, 1)]
+}
+
 /// Two more, with everything otherwise that trades accuracy for hardware: as coarse as can be, and in between.
 pub fn knobs() -> [Config; 2] {
     let [bare, full, _] = configs();

@@ -3,15 +3,16 @@
 use fastrand::Rng;
 use pointcore::number::encode_attribute;
 use pointcore::splat::END;
+use pointcore::stimuli::motion::motion;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
-    Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Sample, SetupSplat, Sight, Splat,
-    SplatCopy, Uniforms, Viewport,
+    Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Sample, SetupSplat, Shutter, Sight,
+    Splat, SplatCopy, Uniforms, Viewport,
 };
-use pointcore_contract::splat::units::{rasterizer, setup, splitter, transform};
+use pointcore_contract::splat::units::{motion_setup, rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
-use pointcore_golden::splat::{Rasterizer, Setup, Splitter, Transform};
+use pointcore_golden::splat::{MotionRasterizer, MotionSetup, Rasterizer, Setup, Splitter, Transform};
 use pointcore_tb::lockstep::seed;
 
 use super::{Travels, through};
@@ -52,6 +53,7 @@ pub fn registers(config: &Config) -> Uniforms {
         epsilon: EpsilonScale { scale: number(0.7), bias: number(0.02) },
         filter_radius: number(0.9),
         filter_scale: pointcore::number::encode_uniform(config.filter_scale_format(), filter_scale),
+        shutter: Shutter { weight: [0x8000, 0x6123, 0x9abc, 0x7fff, 0, 0xffff, 0x4321, 1] },
     }
 }
 
@@ -96,7 +98,7 @@ fn splat(config: &Config, random: &mut Rng) -> Splat {
     continuous.fill_with(|| encode_attribute(config.attribute, 4.0 * random.f32() - 2.0));
     cardinals[..config.cardinal as usize].fill_with(|| random.u32(..) >> (32 - config.attribute.width()));
     let tangents = tangents.map(|tangent| vector(tangent.to_array()));
-    Splat { end: false, center: vector(center), tangents, attributes }
+    Splat { center: vector(center), tangents, attributes, motion: motion(config, random), ..Splat::default() }
 }
 
 /// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
@@ -144,6 +146,11 @@ pub fn camera(config: &Config, count: usize) -> Vec<Splat> {
 pub fn footprints(config: &Config, count: usize) -> Vec<SetupSplat> {
     let Uniforms { viewport, epsilon, near_plane, filter_radius, .. } = registers(config);
     let see = |input| setup::In { input, out_ready: true, viewport, epsilon, near_plane, filter_radius };
+    if config.has_motion() {
+        let see = |input| motion_setup::In { input, out_ready: true, viewport, epsilon, near_plane };
+        let shown = |shown: motion_setup::Out| (shown.in_ready, shown.out);
+        return through(MotionSetup::new(config, 1), &camera(config, count), see, shown);
+    }
     through(Setup::new(config, 1), &camera(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
@@ -200,15 +207,20 @@ pub fn complete_copies(config: &Config, count: usize) -> Vec<CompleteCopy> {
     let mut random = random();
     let copies = copies(config, count).into_iter().filter(|copy| !copy.end);
     let place = |copy| {
-        let SplatCopy { footprint, attributes, bounds, diagonals, tile, .. } = copy;
-        CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot: random.u8(0..config.tile_slots as u8) }
+        let SplatCopy { footprint, moving, attributes, bounds, diagonals, tile, .. } = copy;
+        let slot = random.u8(0..config.tile_slots as u8);
+        CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot }
     };
     copies.map(place).collect()
 }
 
 /// Samples of splats.
 pub fn samples(config: &Config, count: usize) -> Vec<Sample> {
-    let filter_scale = registers(config).filter_scale;
-    let see = |input| rasterizer::In { input, out_ready: true, filter_scale };
+    let Uniforms { filter_scale, viewport: Viewport { depth_a, .. }, .. } = registers(config);
+    let see = |input| rasterizer::In { input, out_ready: true, filter_scale, depth_a };
+    if config.has_motion() {
+        let shown = |shown: rasterizer::Out| (shown.in_ready, shown.out);
+        return through(MotionRasterizer::new(config, 1), &complete_copies(config, count), see, shown);
+    }
     through(Rasterizer::new(config, 1), &complete_copies(config, count), see, |shown| (shown.in_ready, shown.out))
 }

@@ -41,9 +41,36 @@ pub enum ConfigError {
     },
     /// A row of samples that ends within a pixel.
     #[error(
-        "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"
+        "`width` = {width}: expected a multiple of {columns}, the samples that a pixel has in a row by `sampling` and `time_bins`"
     )]
-    OddWidth(u32),
+    CutPixel {
+        /// Samples in a row.
+        width: u32,
+        /// Samples of a pixel in a row.
+        columns: u32,
+    },
+    /// A number of bins that tiles cannot be cut into.
+    #[error(
+        "`time_bins` = {bins}: expected 0 where nothing moves, or a power of two up to {most}: a pixel's samples are in one tile"
+    )]
+    TimeBins {
+        /// Parts of the exposure.
+        bins: u32,
+        /// As many as there may be.
+        most: u32,
+    },
+    /// A key that hardware for motion does not know in any other way.
+    #[error("`time_bins` = {bins}: expected `{key}` = \"{value}\", for {reason}")]
+    Motion {
+        /// Parts of the exposure.
+        bins: u32,
+        /// The key.
+        key: &'static str,
+        /// What would be right.
+        value: &'static str,
+        /// Why.
+        reason: &'static str,
+    },
     /// More or fewer attributes than the accumulators hold.
     #[error("`continuous` + `cardinal` = {0}: expected 1 to {ATTRIBUTES_MAX} attributes")]
     Attributes(u32),

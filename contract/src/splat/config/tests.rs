@@ -44,7 +44,7 @@ fn errors_name_key_and_range() {
 fn flipquad_has_two_samples_a_pixel() {
     let config = |width| Config { width, sampling: Sampling::Flipquad, ..Config::default() };
     assert_eq!(config(66).validate(), Ok(()));
-    assert!(config(65).validate().unwrap_err().to_string().contains("expected an even number"));
+    assert!(config(65).validate().unwrap_err().to_string().contains("expected a multiple of 2"));
 }
 
 #[test]
@@ -80,4 +80,20 @@ fn index_widths() {
     let widths = [1, 2, 3, 4, 5, 8, 9].map(index_bits);
     assert_eq!(widths, [1, 1, 2, 2, 3, 3, 4]);
     assert_eq!(Config { width: 512, height: 512, ..Config::default() }.tile_bits(), 12);
+}
+
+#[test]
+fn samples_that_move_have_their_bins_in_one_tile() {
+    let moving = |time_bins| Config { time_bins, screen_filter: Feature::Off, ..Config::default() };
+    let message = |config: Config| config.validate().map_err(|error| error.to_string()).unwrap_err();
+    assert!([0, 1, 2, 4, 8].iter().all(|&bins| moving(bins).validate().is_ok()));
+    assert!(message(moving(3)).contains("power of two up to 8"));
+    let two_columns = |time_bins| Config { sampling: Sampling::Flipquad, ..moving(time_bins) };
+    assert_eq!((two_columns(4).columns_a_pixel(), two_columns(4).bin_time_bits()), (8, 15));
+    assert!(two_columns(4).validate().is_ok() && message(two_columns(8)).contains("up to 4"));
+    assert!(message(Config { width: 66, ..moving(4) }).contains("a multiple of 4"));
+    assert!(message(Config { screen_filter: Feature::On, ..moving(1) }).contains("`screen_filter` = \"off\""));
+    assert!(message(Config { culling: Feature::Off, ..moving(1) }).contains("`culling` = \"on\""));
+    let narrow = Some(Format::BF16.flushed().into());
+    assert!(message(Config { rasterizer: narrow, ..moving(2) }).contains("`rasterizer` = \"geometry\""));
 }

@@ -1,6 +1,6 @@
 //! Splats after setup and their copies for tiles.
 
-use super::{ATTRIBUTES, DIAGONAL_BITS, Footprint, LOCAL_BITS, attribute_name};
+use super::{ATTRIBUTES, DIAGONAL_BITS, Footprint, LOCAL_BITS, Moving, attribute_name};
 use crate::record;
 use crate::splat::Config;
 
@@ -80,8 +80,12 @@ pub struct TileRectangle {
 pub struct SetupSplat {
     /// Closes the frame.
     pub end: bool,
-    /// Footprint.
+    /// Footprint, where nothing moves.
+    #[when(!config.has_motion())]
     pub footprint: Footprint,
+    /// Footprint and depth band of a splat that may move.
+    #[when(config.has_motion())]
+    pub moving: Moving,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]
@@ -100,8 +104,12 @@ pub struct SplatCopy {
     pub end: bool,
     /// It is the first of its splat.
     pub first: bool,
-    /// Footprint.
+    /// Footprint, where nothing moves.
+    #[when(!config.has_motion())]
     pub footprint: Footprint,
+    /// Footprint and depth band of a splat that may move.
+    #[when(config.has_motion())]
+    pub moving: Moving,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]
@@ -167,8 +175,12 @@ pub struct PlacedCopy {
 /// A copy with its slot, and with its splat's payload again.
 #[record(config: Config)]
 pub struct CompleteCopy {
-    /// Footprint.
+    /// Footprint, where nothing moves.
+    #[when(!config.has_motion())]
     pub footprint: Footprint,
+    /// Footprint and depth band of a splat that may move.
+    #[when(config.has_motion())]
+    pub moving: Moving,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]

@@ -18,14 +18,16 @@ pub use copy::{
     TileDiagonals, TileRectangle,
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
-pub use motion::{MovingFootprint, MovingPlace, MovingSample, MovingSplat, SetupMovingSplat};
+pub use motion::{Bin, Motion, Moving, MovingFootprint, MovingPlace, MovingSample, SPAN, Seen, Shutter};
 pub use payload::{
     PART_BITS, Payload, PayloadPlace, PayloadWord, StoredWord, payload_bytes, payload_parts, payload_word_bits,
 };
 pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, StoredPixel, buffer_tile, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};
-pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, uniform_formats};
+pub use uniforms::{
+    EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, late_uniforms, uniform_formats,
+};
 
 use super::config::{ATTRIBUTES_MAX, Config, RUN_PIXELS_MAX, TILE_PIXELS, TILE_SIZE, index_bits};
 use crate::record;
@@ -77,6 +79,9 @@ pub struct Splat {
     #[name(format!("tangent{}_{}", i + 1, AXES[j]))]
     #[bits(config.geometry.width())]
     pub tangents: [[u32; 3]; 2],
+    /// How it moves.
+    #[when(config.has_motion())]
+    pub motion: Motion,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]

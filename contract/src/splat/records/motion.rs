@@ -1,20 +1,18 @@
 //! Splats that move while the shutter is open. The exposure is the time `τ` from −1 to 1.
 
-use super::{ATTRIBUTES, AXES, ImageRectangle, PIXEL_BITS, Splat, attribute_name};
+use super::{ATTRIBUTES, AXES, PIXEL_BITS, attribute_name, made_bits};
 use crate::record;
 use crate::splat::Config;
-use crate::splat::config::DEPTH_BITS;
-use crate::splat::motion::{SHARE_BITS, TIME_BINS, TIME_BITS, TIMES};
+use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
+use crate::splat::motion::{SHARE_BITS, SHUTTER, TIME_BINS_MAX, TIME_BITS, TIMES_MAX};
 
-/// A splat in camera space that moves along a line.
+/// The motion of a splat along a line, on which it is where [`Splat::center`](super::Splat::center) says at `τ = 0`.
 #[record(config: Config)]
-pub struct MovingSplat {
-    /// Where it is at `τ = 0`.
-    pub splat: Splat,
+pub struct Motion {
     /// The way of its center in a unit of `τ`.
     #[name(format!("motion_{}", AXES[i]))]
     #[bits(config.geometry.width())]
-    pub motion: [u32; 3],
+    pub way: [u32; 3],
     /// Begin and end of the part of the exposure for which it is there.
     #[name(["part_begin", "part_end"][i])]
     #[bits(config.geometry.width())]
@@ -62,23 +60,14 @@ pub struct MovingFootprint {
     pub planes: [u32; 3],
 }
 
-/// A moving splat after setup, with its bounds in the image over all of its life.
+/// What the rasterizer needs of a splat that may move.
 #[record(config: Config)]
-pub struct SetupMovingSplat {
-    /// Closes the frame.
-    pub end: bool,
+pub struct Moving {
     /// What evaluation needs.
     pub footprint: MovingFootprint,
     /// How far to either side of a depth its band reaches (eq. 5.9).
     #[bits(DEPTH_BITS)]
     pub epsilon: u32,
-    /// Attributes.
-    #[count(config.attributes())]
-    #[name(attribute_name(config, i))]
-    #[bits(config.attribute.width())]
-    pub attributes: [u32; ATTRIBUTES],
-    /// The hull of its bounds at begin and end.
-    pub bounds: ImageRectangle,
 }
 
 /// A sample within a moving splat's bounds.
@@ -89,8 +78,8 @@ pub struct MovingPlace {
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
-    /// Column of the image.
-    #[bits(config.column_bits())]
+    /// Column of the image, of samples as if nothing moved.
+    #[bits(config.column_bits() - config.bin_bits())]
     pub column: u16,
     /// Row of the image.
     #[bits(config.row_bits())]
@@ -109,17 +98,87 @@ pub struct MovingSample {
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
-    /// Pixel of the tile: row above column.
+    /// Pixel of the tile, that of its first bin: row above column.
     #[bits(PIXEL_BITS)]
     pub pixel: u8,
     /// The borders of bins, taken into the time for which the sample is covered: from the first to the last. Where two that follow each other are
     /// the same, the bin between them sees nothing.
+    #[count(config.time_bins + 1)]
     #[bits(TIME_BITS)]
-    pub time: [u32; TIMES],
+    pub time: [u32; TIMES_MAX],
     /// Depth at each of these times.
+    #[count(config.time_bins + 1)]
     #[bits(DEPTH_BITS)]
-    pub depth: [u32; TIMES],
+    pub depth: [u32; TIMES_MAX],
     /// The integral of the kernel over each bin; that of one over the exposure is one.
+    #[count(config.time_bins)]
     #[bits(SHARE_BITS)]
-    pub share: [u32; TIME_BINS],
+    pub share: [u32; TIME_BINS_MAX],
+}
+
+/// Names of the two numbers that say for how long a bin sees something: what is left of the bin at the earliest time at which it does, and what
+/// has passed of it at the latest. Of two such spans the larger of both is their hull; of what was never seen both are zero.
+pub const SPAN: [&str; 2] = ["early", "late"];
+
+/// What a bin of the exposure holds besides its nearest surface: the sums of all else, and for how long it sees what.
+#[record(config: Config)]
+pub struct Bin {
+    /// For how long the nearest surface is seen.
+    #[name(format!("nearest_{}", SPAN[i]))]
+    #[bits(config.bin_time_bits())]
+    pub nearest: [u32; 2],
+    /// For how long anything is.
+    #[name(format!("any_{}", SPAN[i]))]
+    #[bits(config.bin_time_bits())]
+    pub any: [u32; 2],
+    /// Sum of the other weights.
+    #[name("rest_weight")]
+    #[bits(WEIGHT_SUM_BITS)]
+    pub weight: u32,
+    /// Sum of the other weighted depths.
+    #[name("rest_depth")]
+    #[bits(DEPTH_SUM_BITS)]
+    pub depth: u64,
+    /// The largest single weight of the others, with cardinal attributes only.
+    #[when(config.cardinal > 0)]
+    #[name("rest_peak")]
+    #[bits(WEIGHT_BITS)]
+    pub peak: u16,
+    /// Sums of the others' weighted continuous attributes, and the cardinal ones of the largest weight.
+    #[count(config.attributes())]
+    #[name(format!("rest_{}", attribute_name(config, i)))]
+    #[bits(made_bits(config, i, config.attribute.sum_width()))]
+    pub attributes: [u64; ATTRIBUTES],
+}
+
+/// What is seen of a bin of the exposure, nearest surface and all else.
+#[record(config: Config)]
+pub struct Seen {
+    /// The exposure's share for which the nearest surface is seen.
+    #[name("share")]
+    #[bits(TIME_BITS)]
+    pub share: u32,
+    /// That for which only the rest is.
+    #[name("rest_share")]
+    #[bits(TIME_BITS)]
+    pub rest_share: u32,
+    /// Depth of the rest in the geometry format.
+    #[name("rest_depth")]
+    #[bits(config.geometry.width())]
+    pub depth: u32,
+    /// Attributes of the rest.
+    #[count(config.attributes())]
+    #[name(format!("rest_{}", attribute_name(config, i)))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+}
+
+/// How much each bin of the exposure counts: 1 each where the shutter is a box.
+#[record(config: Config)]
+pub struct Shutter {
+    /// Bin by bin, as [`SHUTTER`] has it.
+    #[count(config.time_bins)]
+    #[name(format!("shutter_{i}"))]
+    #[bits(SHUTTER.width)]
+    pub weight: [u32; TIME_BINS_MAX],
 }

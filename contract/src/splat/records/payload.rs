@@ -1,6 +1,6 @@
 //! What the copies of a splat have in common, whole and in words.
 
-use super::{ATTRIBUTES, ATTRIBUTES_MAX, Footprint, attribute_name};
+use super::{ATTRIBUTES, ATTRIBUTES_MAX, Footprint, Moving, attribute_name};
 use crate::bus::Layout;
 use crate::splat::Config;
 use crate::splat::config::index_bits;
@@ -9,15 +9,19 @@ use crate::{record, width};
 /// Bits of a part of a word: as many as a model's integer holds.
 pub const PART_BITS: u32 = u64::BITS;
 /// The most numbers of 32 bits in a payload: attributes and what footprints hold.
-const NUMBERS_MAX: u32 = ATTRIBUTES_MAX + 18;
+const NUMBERS_MAX: u32 = ATTRIBUTES_MAX + 24;
 /// The most parts of a word: those of a whole payload.
 const PARTS_MAX: usize = (NUMBERS_MAX * u32::BITS).div_ceil(PART_BITS) as usize;
 
 /// What the copies of a splat have in common.
 #[record(config: Config)]
 pub struct Payload {
-    /// Footprint.
+    /// Footprint, where nothing moves.
+    #[when(!config.has_motion())]
     pub footprint: Footprint,
+    /// Footprint and depth band of a splat that may move.
+    #[when(config.has_motion())]
+    pub moving: Moving,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]
@@ -83,6 +87,7 @@ pub fn payload_bytes(config: &Config, beat_bits: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::splat::config::Feature;
     use crate::{FragmentDepth, fields};
 
     #[test]
@@ -94,12 +99,13 @@ mod tests {
             payload_beats: 1,
             ..Config::default()
         };
-        for payload_beats in 1..=8 {
-            let config = Config { payload_beats, ..widest.clone() };
+        let moving = Config { time_bins: 4, screen_filter: Feature::Off, ..widest.clone() };
+        for (payload_beats, kind) in (1..=8).flat_map(|beats| [(beats, &widest), (beats, &moving)]) {
+            let config = Config { payload_beats, ..kind.clone() };
             let words = width::<PayloadWord>(&config) * payload_beats;
             assert!((0..payload_beats).contains(&(words - width::<Payload>(&config))));
             assert!(fields::<PayloadWord>(&config).iter().all(|part| (1..=PART_BITS).contains(&part.width)));
         }
-        assert!(payload_parts(&widest) as usize <= PARTS_MAX);
+        assert!([widest, moving].iter().all(|config| payload_parts(config) as usize <= PARTS_MAX));
     }
 }

@@ -1,6 +1,6 @@
 //! Pixels of the reconstruction buffer and what becomes of them.
 
-use super::{ATTRIBUTES, PIXEL_BITS, RUN_BITS, attribute_name, made_bits};
+use super::{ATTRIBUTES, Bin, PIXEL_BITS, RUN_BITS, Seen, attribute_name, made_bits};
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
 use crate::{record, width};
@@ -23,6 +23,9 @@ pub struct Pixel {
     #[name(attribute_name(config, i))]
     #[bits(made_bits(config, i, config.attribute.sum_width()))]
     pub attributes: [u64; ATTRIBUTES],
+    /// Where splats may move, what lies behind: the sums above are those of the nearest surface in a bin of the exposure.
+    #[when(config.has_motion())]
+    pub bin: Bin,
 }
 
 /// Bytes a pixel takes in the reconstruction buffer.
@@ -103,4 +106,7 @@ pub struct Fragment {
     #[name(attribute_name(config, i))]
     #[bits(config.attribute.width())]
     pub attributes: [u32; ATTRIBUTES],
+    /// Where splats may move, for how long this is seen, and what besides.
+    #[when(config.has_motion())]
+    pub seen: Seen,
 }

@@ -1,6 +1,6 @@
 //! Samples of splats.
 
-use super::{ATTRIBUTES, Band, PIXEL_BITS, attribute_name, made_bits};
+use super::{ATTRIBUTES, Band, PIXEL_BITS, SPAN, attribute_name, made_bits};
 use crate::record;
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, WEIGHT_BITS};
@@ -30,6 +30,11 @@ pub struct Sample {
     pub place: SamplePlace,
     /// Depth band.
     pub band: Band,
+    /// Where splats may move, for how long its bin sees it.
+    #[when(config.has_motion())]
+    #[name(SPAN[i])]
+    #[bits(config.bin_time_bits())]
+    pub time: [u32; 2],
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]
@@ -51,6 +56,11 @@ pub struct WeightedSample {
     /// Far end of the depth band.
     #[bits(DEPTH_BITS)]
     pub depth_high: u32,
+    /// Where splats may move, for how long its bin sees it.
+    #[when(config.has_motion())]
+    #[name(SPAN[i])]
+    #[bits(config.bin_time_bits())]
+    pub time: [u32; 2],
     /// Weighted continuous attributes, and cardinal ones as they are.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]

@@ -1,7 +1,11 @@
 //! The uniform registers: constants of a frame, written before its first splat.
 
+use super::Shutter;
+use crate::splat::motion::SHUTTER;
 use crate::splat::{Config, UniformFormat};
 use crate::{fields, places, record};
+use std::cmp::Ordering;
+use std::iter;
 
 /// Bits of a uniform register's address.
 pub const UNIFORM_ADDRESS_BITS: u32 = 5;
@@ -65,14 +69,29 @@ pub struct Uniforms {
     /// The reciprocal of its square.
     #[bits(config.filter_scale_format().width())]
     pub filter_scale: u32,
+    /// How much each bin of the exposure counts.
+    #[when(config.has_motion())]
+    pub shutter: Shutter,
+}
+
+/// The places of the registers that are read until a frame has left: others only until it is set up.
+#[must_use]
+pub fn late_uniforms(config: &Config) -> Vec<usize> {
+    let Uniforms { viewport, filter_scale, shutter, .. } = places::<Uniforms>(config);
+    if config.has_motion() {
+        iter::once(viewport.depth_a).chain(shutter.weight).flatten().collect()
+    } else {
+        filter_scale.into_iter().collect()
+    }
 }
 
 /// The format of each uniform register, in their order.
 pub fn uniform_formats(config: &Config) -> impl Iterator<Item = UniformFormat> {
-    let filter_scale = places::<Uniforms>(config).filter_scale;
-    let format = move |place| match Some(place) == filter_scale {
-        true => config.filter_scale_format(),
-        false => UniformFormat::Float(config.geometry),
+    let filter_scale = places::<Uniforms>(config).filter_scale.expect("it is always there");
+    let format = move |place: usize| match place.cmp(&filter_scale) {
+        Ordering::Less => UniformFormat::Float(config.geometry),
+        Ordering::Equal => config.filter_scale_format(),
+        Ordering::Greater => UniformFormat::Fixed(SHUTTER),
     };
     (0..fields::<Uniforms>(config).len()).map(format)
 }

@@ -54,6 +54,10 @@ pub struct Lane {
     #[when(config.screen_filter.is_on())]
     #[bits(config.filter_scale_format().width())]
     filter_scale: Input<u32>,
+    /// Where splats may move, depth is `depth_a` and what follows from the distance.
+    #[when(config.has_motion())]
+    #[bits(config.geometry.width())]
+    depth_a: Input<u32>,
     /// What happened in the last cycle.
     #[port("")]
     events: Output<LaneEvents>,

@@ -1,17 +1,18 @@
-//! Units for splats that move while the shutter is open (thesis chapter 4); not a part of the core yet.
+//! Units for splats that move while the shutter is open (thesis chapter 4).
 
 use crate::splat::Config;
-use crate::splat::records::{EpsilonScale, MovingPlace, MovingSample, MovingSplat, SetupMovingSplat, Viewport};
+use crate::splat::records::{EpsilonScale, MovingPlace, MovingSample, SetupSplat, Splat, Viewport};
 use crate::unit;
 
 /// Computes what evaluation needs of a moving splat, and its bounds.
 #[unit(splat_motion_setup, config: Config)]
+#[when(config.has_motion())]
 pub struct MotionSetup {
     /// Moving splats in camera space.
     #[port("in")]
-    input: In<MovingSplat>,
+    input: In<Splat>,
     /// Footprints with bounds.
-    out: Out<SetupMovingSplat>,
+    out: Out<SetupSplat>,
     /// From camera space to pixels and depths.
     #[port("")]
     viewport: Input<Viewport>,
@@ -25,6 +26,7 @@ pub struct MotionSetup {
 
 /// Integrates a moving splat's kernel over each bin of the exposure (eq. 4.19).
 #[unit(splat_motion_evaluation, config: Config)]
+#[when(config.has_motion())]
 pub struct MotionEvaluation {
     /// Samples within bounds.
     #[port("in")]

@@ -4,7 +4,7 @@ use super::events::{AccumulatorEvents, RasterizerEvents};
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, SLOT_BANKS, WEIGHT_SUM_BITS};
 use crate::splat::records::{
-    CompleteCopy, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Slot, SlotChange, SlotMasks, SlotPixel,
+    CompleteCopy, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Shutter, Slot, SlotChange, SlotMasks, SlotPixel,
     WeightedSample,
 };
 use crate::unit;
@@ -21,6 +21,10 @@ pub struct Rasterizer {
     #[when(config.screen_filter.is_on())]
     #[bits(config.filter_scale_format().width())]
     filter_scale: Input<u32>,
+    /// Where splats may move, depth is `depth_a` and what follows from the distance.
+    #[when(config.has_motion())]
+    #[bits(config.geometry.width())]
+    depth_a: Input<u32>,
     /// What happened in the last cycle.
     #[port("")]
     events: Output<RasterizerEvents>,
@@ -98,4 +102,8 @@ pub struct Normalizer {
     input: In<FinishedPixel>,
     /// Fragments.
     out: Out<Fragment>,
+    /// How much each bin of the exposure counts.
+    #[when(config.has_motion())]
+    #[port("")]
+    shutter: Input<Shutter>,
 }

@@ -22,6 +22,7 @@ pub struct Transform {
 
 /// Computes what rasterizing needs of a splat, and its bounds (thesis table 5.1).
 #[unit(splat_setup, config: Config)]
+#[when(!config.has_motion())]
 pub struct Setup {
     /// Splats in camera space.
     #[port("in")]

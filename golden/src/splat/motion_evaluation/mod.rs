@@ -15,12 +15,13 @@ use crate::number::Number;
 use crate::unit::Model;
 use course::Course;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
-use pointcore_contract::splat::motion::{TIME_BINS, TIME_BITS, TIME_FRACTION_BITS, TIMES};
+use pointcore_contract::splat::motion::{TIME_BITS, TIME_FRACTION_BITS};
 use pointcore_contract::splat::records::{MovingFootprint, MovingPlace, MovingSample};
 pub use pointcore_contract::splat::units::motion_evaluation::{In, Out};
 use pointcore_contract::splat::{Config, Division};
 use pointcore_contract::{Format, Sampling};
 use share::Kernel;
+use std::iter;
 
 /// The evaluation unit.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub struct MotionEvaluation {
     division: Division,
     has_planes: bool,
     has_depth_plane: bool,
+    /// Bins of the exposure.
+    bins: usize,
     kernel: Kernel,
     datapath: Datapath<MovingSample>,
 }
@@ -44,8 +47,9 @@ impl MotionEvaluation {
             division: config.division,
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
-            kernel: Kernel::new(config.kernel_gamma),
-            datapath: Datapath::new(latency, TIME_BINS as u32),
+            bins: config.time_bins as usize,
+            kernel: Kernel::new(config.kernel_gamma, config.time_bins),
+            datapath: Datapath::new(latency, config.time_bins),
         }
     }
 
@@ -56,28 +60,29 @@ impl MotionEvaluation {
         let course = Course::new(self, footprint, [column, row].map(u32::from));
         let times = self.times(&course);
         let zero = self.number(0);
-        let time = times.map(|time| {
-            let since_begin = time + zero.of(1.0);
-            since_begin.to_fixed(TIME_BITS, TIME_FRACTION_BITS - 1) as u32
-        });
-        let depth = times.map(|time| self.depth(&course, footprint, time, depth_a));
-        let local = |place: u16| u32::from(place) % TILE_SIZE;
-        let pixel = (local(row) * TILE_SIZE + local(column)) as u8;
-        let share = self.kernel.shares(&course, times);
-        MovingSample { last, inside: course.is_inside, slot, pixel, time, depth, share }
+        let since_begin = |time: Number| (time + zero.of(1.0)).to_fixed(TIME_BITS, TIME_FRACTION_BITS - 1) as u32;
+        let local = |place: u32| place % TILE_SIZE;
+        let first_bin = u32::from(column) * self.bins as u32;
+        let pixel = (local(row.into()) * TILE_SIZE + local(first_bin)) as u8;
+        let mut sample = MovingSample { last, inside: course.is_inside, slot, pixel, ..MovingSample::default() };
+        for (index, &time) in times.iter().enumerate() {
+            sample.time[index] = since_begin(time);
+            sample.depth[index] = self.depth(&course, footprint, time, depth_a);
+        }
+        for (share, times) in sample.share.iter_mut().zip(times.windows(2)) {
+            *share = self.kernel.share(&course, [times[0], times[1]]);
+        }
+        sample
     }
 
     /// The borders of bins within the time for which the sample is covered.
-    fn times(&self, course: &Course) -> [Number; TIMES] {
+    fn times(&self, course: &Course) -> Vec<Number> {
         let one = self.number(0).of(1.0);
-        std::array::from_fn(|index| match index {
-            0 => course.begin,
-            TIME_BINS => course.end,
-            _ => {
-                let border = one.of(2.0 * index as f32 / TIME_BINS as f32 - 1.0);
-                border.max(course.begin).min(course.end)
-            }
-        })
+        let inner = (1..self.bins).map(|index| {
+            let border = one.of(2.0 * index as f32 / self.bins as f32 - 1.0);
+            border.max(course.begin).min(course.end)
+        });
+        iter::once(course.begin).chain(inner).chain(iter::once(course.end)).collect()
     }
 
     /// Depth at a time: of the splat's plane, or of its centre.

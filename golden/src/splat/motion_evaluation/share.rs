@@ -3,47 +3,45 @@
 use super::course::Course;
 use crate::float::{Table, kernel_integral_table, kernel_table};
 use crate::number::Number;
-use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS, TIME_BINS, TIMES};
+use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS};
 use std::sync::Arc;
 
 /// Bits of an argument and of a value of the tables.
 const UNIT_BITS: u32 = MOTION_TABLE.value_bits;
 /// Bits of a sum of six kernels.
 const SUM_BITS: u32 = UNIT_BITS + 3;
-/// A squared speed below this power of ½ is that of a narrow sample.
-const NARROW: i64 = 6;
+/// A speed below this power of ½, times the number of bins, is that of a narrow sample: of a bin it passes 1/16 of a radius at most.
+const NARROW: i64 = 5;
 
 /// `exp(−γt)` and `∫₀ᵗ exp(−γy²) dy`.
 #[derive(Clone, Debug)]
 pub(super) struct Kernel {
     weight: Arc<Table>,
     integral: Arc<Table>,
+    /// A squared speed below this power of ½ is that of a narrow sample.
+    narrow: i64,
 }
 
 impl Kernel {
-    pub fn new(gamma: f64) -> Self {
+    pub fn new(gamma: f64, bins: u32) -> Self {
         let weight = Arc::new(kernel_table(gamma, MOTION_TABLE));
-        Self { weight, integral: Arc::new(kernel_integral_table(gamma, MOTION_TABLE)) }
+        let narrow = 2 * (NARROW - i64::from(bins.ilog2()));
+        Self { weight, integral: Arc::new(kernel_integral_table(gamma, MOTION_TABLE)), narrow }
     }
 
-    /// The share of each bin between those times.
-    pub fn shares(&self, course: &Course, times: [Number; TIMES]) -> [u32; TIME_BINS] {
+    /// The share of a bin between two times.
+    pub fn share(&self, course: &Course, times: [Number; 2]) -> u32 {
         let one = course.speed.of(1.0);
-        let places = times.map(|time| course.speed * time + course.along);
+        let ends = times.map(|time| course.speed * time + course.along);
         let weight = self.weight.interpolate(course.across.to_fixed(UNIT_BITS, UNIT_BITS));
         let half = Number::from_fixed(one.format(), weight, u64::BITS, UNIT_BITS + 1);
-        let is_narrow = course.squared_speed.is_below(one.raised(-NARROW));
-        let of_length = half * one.of(1.0 / 6.0);
-        std::array::from_fn(|bin| {
-            let ends = [places[bin], places[bin + 1]];
-            let (sum, factor) = if is_narrow {
-                (self.simpson(ends), (times[bin + 1] - times[bin]) * of_length)
-            } else {
-                (self.difference(ends), half * course.slowness)
-            };
-            let share = Number::from_fixed(one.format(), sum, SUM_BITS, UNIT_BITS) * factor;
-            share.to_fixed(SHARE_BITS, SHARE_BITS) as u32
-        })
+        let (sum, factor) = if course.squared_speed.is_below(one.raised(-self.narrow)) {
+            (self.simpson(ends), (times[1] - times[0]) * (half * one.of(1.0 / 6.0)))
+        } else {
+            (self.difference(ends), half * course.slowness)
+        };
+        let share = Number::from_fixed(one.format(), sum, SUM_BITS, UNIT_BITS) * factor;
+        share.to_fixed(SHARE_BITS, SHARE_BITS) as u32
     }
 
     /// Six times the mean of the kernel between two places on a line.

@@ -16,14 +16,12 @@ use crate::number::Number;
 use crate::unit::Model;
 use instant::Instant;
 use life::Life;
+use pointcore_contract::Format;
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
-use pointcore_contract::splat::records::{
-    EpsilonScale, ImageRectangle, MovingFootprint, MovingSplat, SetupMovingSplat, Viewport,
-};
+use pointcore_contract::splat::records::{self, EpsilonScale, Motion, MovingFootprint, SetupSplat, Splat, Viewport};
 pub use pointcore_contract::splat::units::motion_setup::{In, Out};
 use pointcore_contract::splat::{Config, Division};
-use pointcore_contract::{Format, Sampling};
 
 /// A change of the distance in a unit of `τ`, in distances, is no less than this power of ½ where near and far plane are met.
 const LEAST_CHANGE: i64 = 20;
@@ -42,13 +40,15 @@ pub struct MotionUniforms {
 /// The setup unit.
 #[derive(Clone, Debug)]
 pub struct MotionSetup {
+    config: Config,
     geometry: Format,
     division: Division,
-    sampling: Sampling,
+    /// Samples of the image along both axes, and those of a pixel.
     edges: [u64; 2],
+    per_pixel: [u32; 2],
     has_planes: bool,
     has_depth_plane: bool,
-    datapath: Datapath<SetupMovingSplat>,
+    datapath: Datapath<SetupSplat>,
 }
 
 /// A splat in numbers.
@@ -64,10 +64,11 @@ impl MotionSetup {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
+            config: config.clone(),
             geometry: config.geometry,
             division: config.division,
-            sampling: config.sampling,
             edges: [config.width, config.height].map(u64::from),
+            per_pixel: [config.columns_a_pixel(), 1],
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
             datapath: Datapath::new(latency, MOTION_SETUP_INTERVAL),
@@ -84,33 +85,27 @@ impl MotionSetup {
 
     /// The splat with footprint and bounds; `None` if it is dropped.
     #[must_use]
-    pub fn setup(&self, splat: &MovingSplat, uniforms: &MotionUniforms) -> Option<SetupMovingSplat> {
-        let MovingSplat { splat, motion, part } = *splat;
+    pub fn setup(&self, splat: &Splat, uniforms: &MotionUniforms) -> Option<SetupSplat> {
         if splat.end {
-            return Some(SetupMovingSplat { end: true, ..SetupMovingSplat::default() });
+            return Some(SetupSplat { end: true, ..SetupSplat::default() });
         }
         let vector = |bits: [u32; 3]| bits.map(|bits| self.number(bits));
+        let Motion { way, part } = splat.motion;
         let moving = Moving {
             center: vector(splat.center),
             tangents: splat.tangents.map(vector),
-            motion: vector(motion),
+            motion: vector(way),
             part: part.map(|bits| self.number(bits)),
         };
         let life = Life::of(self, &moving, uniforms);
         if !life.is_alive {
             return None;
         }
-        let (columns, rows) = bounds::samples(self, &moving, &life, uniforms)?;
+        let (bounds, diagonals) = bounds::octagon(self, &moving, &life, uniforms)?;
         let instant = Instant::of(self, &moving, life.origin, uniforms);
         let footprint = self.footprint(&moving, &life, &instant, uniforms)?;
-        let bounds = ImageRectangle {
-            left: columns.start as u16,
-            right: (columns.end - 1) as u16,
-            top: rows.start as u16,
-            bottom: (rows.end - 1) as u16,
-        };
-        let epsilon = self.epsilon(&life, &instant, uniforms);
-        Some(SetupMovingSplat { end: false, footprint, epsilon, attributes: splat.attributes, bounds })
+        let moving = records::Moving { footprint, epsilon: self.epsilon(&life, &instant, uniforms) };
+        Some(SetupSplat { moving, attributes: splat.attributes, bounds, diagonals, ..SetupSplat::default() })
     }
 
     /// What evaluation needs; `None` of a splat seen edge-on.

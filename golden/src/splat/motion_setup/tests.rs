@@ -4,14 +4,14 @@ use crate::splat::uniforms::SetupUniforms;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
 use pointcore_contract::splat::Feature;
-use pointcore_contract::splat::records::Splat;
+use pointcore_contract::splat::records::ImageRectangle;
 
 fn number(value: f64) -> u32 {
     (value as f32).to_bits()
 }
 
 fn config() -> Config {
-    Config { width: 64, height: 48, screen_filter: Feature::Off, ..Config::default() }
+    Config { width: 4 * 64, height: 48, time_bins: 4, screen_filter: Feature::Off, ..Config::default() }
 }
 
 fn uniforms() -> MotionUniforms {
@@ -35,8 +35,8 @@ fn splat(random: &mut Rng) -> Splat {
     Splat { center: [spread(0.5 * z), spread(0.5 * z), z].map(number), tangents, ..Splat::default() }
 }
 
-fn moving(splat: Splat, motion: [f64; 3]) -> MovingSplat {
-    MovingSplat { splat, motion: motion.map(number), part: [-1.0, 1.0].map(number) }
+fn moving(splat: Splat, way: [f64; 3]) -> Splat {
+    Splat { motion: Motion { way: way.map(number), part: [-1.0, 1.0].map(number) }, ..splat }
 }
 
 /// A disc on the optical axis that faces the eye.
@@ -48,7 +48,8 @@ fn at(z: f64) -> Splat {
 #[test]
 fn a_splat_that_does_not_move_is_where_the_static_one_is() {
     let (config, uniforms) = (config(), uniforms());
-    let (unit, still) = (MotionSetup::new(&config, 1), Setup::new(&config, 1));
+    let unit = MotionSetup::new(&config, 1);
+    let still = Setup::new(&Config { width: config.width / config.time_bins, time_bins: 0, ..config }, 1);
     let MotionUniforms { viewport, epsilon, near_plane } = uniforms;
     let of_still = SetupUniforms { viewport, epsilon, near_plane, filter_radius: 0 };
     for_each_seed("motion_setup", |random| {
@@ -61,14 +62,20 @@ fn a_splat_that_does_not_move_is_where_the_static_one_is() {
                 different += u32::from(moving.is_some() != expected.is_some());
                 continue;
             };
-            assert_eq!((moving.bounds, moving.footprint.center), (expected.bounds, expected.footprint.center));
+            let ImageRectangle { left, right, .. } = moving.bounds;
+            let columns = ImageRectangle { left: left / 4, right: right / 4, ..moving.bounds };
+            assert_eq!((left % 4, right % 4, columns), (0, 3, expected.bounds));
+            assert_eq!(moving.moving.footprint.center, expected.footprint.center);
+            let (hull, limits) = (moving.diagonals, expected.diagonals);
+            assert!(hull.first_sum <= limits.first_sum && limits.last_sum <= hull.last_sum);
+            assert!(hull.first_difference <= limits.first_difference && limits.last_difference <= hull.last_difference);
             let band = expected.footprint.band;
             // What does not end at near or far plane.
             if band.low > 0 && band.high < (1 << DEPTH_BITS) - 1 {
                 let half = (band.high - band.low) / 2;
-                assert!(moving.epsilon.abs_diff(half) <= 16, "{} beside {half}", moving.epsilon);
+                assert!(moving.moving.epsilon.abs_diff(half) <= 16, "{} beside {half}", moving.moving.epsilon);
             }
-            assert!(moving.footprint.speed.as_flattened().iter().all(|&speed| speed << 1 == 0));
+            assert!(moving.moving.footprint.speed.as_flattened().iter().all(|&speed| speed << 1 == 0));
             drawn += 1;
         }
         assert!(drawn > 500 && different < 20, "{drawn} are drawn, {different} by one only");
@@ -88,11 +95,16 @@ fn bounds_hold_those_of_every_instant() {
             drawn += 1;
             for step in -4..4 {
                 let part = [step, step + 1].map(|step| number(0.25 * f64::from(step)));
-                let part = MovingSplat { part, ..moving(splat, motion) };
+                let all = moving(splat, motion);
+                let part = Splat { motion: Motion { part, ..all.motion }, ..all };
                 let Some(instant) = unit.setup(&part, &uniforms) else { continue };
                 let (outer, inner) = (whole.bounds, instant.bounds);
-                // Rounding at a border within life may take a sample more than rounding at its ends.
-                assert!(outer.left <= inner.left + 1 && inner.right <= outer.right + 1, "{inner:?} in {outer:?}");
+                // Rounding at a border within life may take a pixel more than rounding at its ends.
+                assert!(outer.left <= inner.left + 4 && inner.right <= outer.right + 4, "{inner:?} in {outer:?}");
+                let (limits, within) = (whole.diagonals, instant.diagonals);
+                assert!(limits.first_sum <= within.first_sum + 1 && within.last_sum <= limits.last_sum + 1);
+                assert!(limits.first_difference <= within.first_difference + 1);
+                assert!(within.last_difference <= limits.last_difference + 1);
                 assert!(outer.top <= inner.top + 1 && inner.bottom <= outer.bottom + 1, "{inner:?} in {outer:?}");
             }
         }
@@ -116,6 +128,6 @@ fn what_is_never_seen_is_dropped() {
     assert!(!drawn(Splat { tangents: [first, first], ..facing }, [0.0; 3]), "edge-on");
     let beside = Splat { center: [9.0, 0.0, 5.0].map(number), ..facing };
     assert!(!drawn(beside, [0.0; 3]) && drawn(beside, [-9.0, 0.0, 0.0]), "it enters the image");
-    let end = MovingSplat { splat: Splat { end: true, ..facing }, ..moving(facing, [0.0; 3]) };
+    let end = Splat { end: true, ..moving(facing, [0.0; 3]) };
     assert!(unit.setup(&end, &uniforms).is_some_and(|splat| splat.end));
 }

@@ -87,7 +87,7 @@ impl Payloads {
 
     /// What is taken, with its place.
     fn take(&mut self, input: SplatCopy) -> Arriving {
-        let SplatCopy { end, first, footprint, attributes, bounds, diagonals, tile } = input;
+        let SplatCopy { end, first, footprint, moving, attributes, bounds, diagonals, tile } = input;
         let begins = first && !end;
         if begins {
             self.place = self.places.free().expect("a first copy is not taken without a place");
@@ -100,7 +100,7 @@ impl Payloads {
         } else {
             TileCopy { end, bounds, diagonals, tile, splat: self.place }
         };
-        Arriving { copy, payload: begins.then_some(Payload { footprint, attributes }) }
+        Arriving { copy, payload: begins.then_some(Payload { footprint, moving, attributes }) }
     }
 
     /// The way in: returns the splat that is closed, and whether another took the free place.
@@ -156,8 +156,8 @@ impl Payloads {
 
 fn complete(placed: PlacedCopy, payload: Payload) -> CompleteCopy {
     let PlacedCopy { bounds, diagonals, tile, splat: _, slot } = placed;
-    let Payload { footprint, attributes } = payload;
-    CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot }
+    let Payload { footprint, moving, attributes } = payload;
+    CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot }
 }
 
 impl Model for Payloads {

@@ -4,6 +4,8 @@
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
 mod fixed_distance;
+mod motion;
+mod scan;
 #[cfg(test)]
 mod tests;
 
@@ -15,66 +17,16 @@ use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::Model;
 use fixed_distance::Distance;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
-use pointcore_contract::splat::records::{
-    Attributes, Band, CompleteCopy, DepthPlane, Footprint, Sample, SamplePlace, TileDiagonals, TileRectangle,
-};
+pub use motion::MotionRasterizer;
+use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS};
+use pointcore_contract::splat::records::{Attributes, Band, DepthPlane, Footprint, Sample, SamplePlace};
 use pointcore_contract::splat::units::RasterizerEvents;
 pub use pointcore_contract::splat::units::rasterizer::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
 use pointcore_contract::{Format, Sampling};
-use std::ops::RangeInclusive;
+use scan::Scan;
+pub use scan::columns;
 use std::sync::Arc;
-
-const SIZE: u16 = TILE_SIZE as u16;
-
-/// Columns of samples in a row of a copy, between the edges of its octagon.
-#[must_use]
-pub fn columns(sampling: Sampling, bounds: &TileRectangle, diagonals: &TileDiagonals, row: u16) -> RangeInclusive<u16> {
-    let samples = sampling.columns() as u16;
-    let below = SIZE - 1 - row;
-    let first = diagonals.first_sum.saturating_sub(row).max(diagonals.first_difference.saturating_sub(below));
-    let last = diagonals.last_sum.saturating_sub(row).min(diagonals.last_difference.saturating_sub(below));
-    bounds.left.max(first * samples)..=bounds.right.min(last * samples + (samples - 1))
-}
-
-/// The copy under rasterization and its next pixel, in tile coordinates.
-#[derive(Clone, Copy, Debug)]
-struct Scan {
-    copy: CompleteCopy,
-    sampling: Sampling,
-    column: u16,
-    row: u16,
-}
-
-impl Scan {
-    fn new(sampling: Sampling, copy: CompleteCopy) -> Self {
-        let row = copy.bounds.top;
-        Self { copy, sampling, column: *columns(sampling, &copy.bounds, &copy.diagonals, row).start(), row }
-    }
-
-    fn columns(&self, row: u16) -> RangeInclusive<u16> {
-        columns(self.sampling, &self.copy.bounds, &self.copy.diagonals, row)
-    }
-
-    fn is_row_done(&self) -> bool {
-        self.column == *self.columns(self.row).end()
-    }
-
-    fn is_last(&self) -> bool {
-        let copy = &self.copy;
-        self.row == copy.bounds.bottom && self.is_row_done()
-    }
-
-    fn step(&mut self) {
-        if self.is_row_done() {
-            self.row += 1;
-            self.column = *self.columns(self.row).start();
-        } else {
-            self.column += 1;
-        }
-    }
-}
 
 /// The rasterizer.
 #[derive(Clone, Debug)]
@@ -87,7 +39,7 @@ pub struct Rasterizer {
     division: Division,
     has_depth_plane: bool,
     has_screen_filter: bool,
-    tile_column_bits: u32,
+    config: Config,
     kernel: Arc<Table>,
     /// Bits of `ρ²` that the kernel sees.
     kernel_bits: u32,
@@ -118,7 +70,7 @@ impl Rasterizer {
             division: config.division,
             has_depth_plane: config.has_depth_plane(),
             has_screen_filter: config.screen_filter.is_on(),
-            tile_column_bits: config.tile_column_bits(),
+            config: config.clone(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
             kernel_bits,
             scan: None,
@@ -135,21 +87,13 @@ impl Rasterizer {
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
     fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<(SamplePlace, Option<Band>)> {
         let copy = &scan.copy;
-        let [tile_column, tile_row] =
-            [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
-        let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
-        let [column, row] = [place(tile_column, scan.column), place(tile_row, scan.row)];
+        let [column, row] = scan.place(&self.config);
         let squared = self.squared_distance(&copy.footprint, [column, row], filter_scale);
         let inside = Self::is_inside(squared);
         let last = scan.is_last();
         (inside || last).then(|| {
-            let place = SamplePlace {
-                last,
-                inside,
-                slot: copy.slot,
-                pixel: (scan.row * SIZE + scan.column) as u8,
-                weight: self.weight(squared),
-            };
+            let place =
+                SamplePlace { last, inside, slot: copy.slot, pixel: scan.pixel(), weight: self.weight(squared) };
             let has_plane = self.has_depth_plane;
             (place, has_plane.then(|| self.depth_band(&copy.footprint, [column, row])))
         })
@@ -224,7 +168,7 @@ impl Model for Rasterizer {
     fn outputs(&self) -> Out {
         let out = self.datapath.out().map(|&(place, own_band)| {
             let (band, attributes) = self.copies.out().copied().unwrap_or_default();
-            Sample { place, band: own_band.unwrap_or(band), attributes }
+            Sample { place, band: own_band.unwrap_or(band), attributes, ..Sample::default() }
         });
         Out { in_ready: self.in_ready(), out, events: self.events }
     }
@@ -240,7 +184,7 @@ impl Model for Rasterizer {
         if advances {
             match &mut self.scan {
                 Some(scan) if !scan.is_last() => scan.step(),
-                scan => *scan = taken.map(|copy| Scan::new(self.sampling, copy)),
+                scan => *scan = taken.map(|copy| Scan::new(&self.config, copy)),
             }
         }
         let left = self.datapath.step(sample, inputs.out_ready);

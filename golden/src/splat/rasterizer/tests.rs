@@ -4,7 +4,7 @@ use crate::splat::uniforms::SetupUniforms;
 use pointcore_contract::FragmentDepth;
 use pointcore_contract::splat::Coefficient;
 use pointcore_contract::splat::records::{
-    ImageRectangle, SetupSplat, Sight, Splat, TileDiagonals, TileRectangle, Viewport,
+    CompleteCopy, ImageRectangle, SetupSplat, Sight, Splat, TileDiagonals, TileRectangle, Viewport,
 };
 
 fn bits(number: f32) -> u32 {
@@ -60,7 +60,7 @@ fn samples_cover_the_disc_and_the_last_closes_it() {
         let out = unit.outputs();
         samples.extend(out.out);
         evaluated += u32::from(out.events.sample);
-        unit.clock(&In { input, out_ready: true, filter_scale: bits(1.0) });
+        unit.clock(&In { input, out_ready: true, filter_scale: bits(1.0), ..In::default() });
         if out.in_ready {
             input = copies.next();
         }

@@ -66,11 +66,11 @@ pub(super) fn of_box(extent: &Extent, axis: usize, f: Number, [scale, origin]: [
     [if begins { edge } else { zero }, if ends { edge } else { farthest }]
 }
 
-/// Samples between two bounds; all of a pixel's, or none.
+/// Samples between two bounds along an axis, on which a pixel has so many; all of a pixel's, or none.
 pub(in crate::splat) fn samples(
     format: Format,
     sampling: Sampling,
-    axis: usize,
+    per_pixel: u32,
     edge: u64,
     [low, high]: [Number; 2],
 ) -> Range<u64> {
@@ -85,6 +85,6 @@ pub(in crate::splat) fn samples(
     };
     let first = (low + (PIXEL - 1) - farthest - FIRST_MARGIN) / PIXEL;
     let past = (high + PIXEL - nearest + LAST_MARGIN) / PIXEL;
-    let samples = [u64::from(sampling.columns()), 1][axis];
+    let samples = u64::from(per_pixel);
     first * samples..(past * samples).min(edge)
 }

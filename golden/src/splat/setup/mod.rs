@@ -162,7 +162,7 @@ impl Setup {
                 }
             };
             let ends = self.with_disc(ends, shadows[axis].center, has_disc, uniforms);
-            bounds::samples(self.geometry, self.sampling, axis, self.edges[axis], ends)
+            bounds::samples(self.geometry, self.sampling, [self.sampling.columns(), 1][axis], self.edges[axis], ends)
         });
         if columns.is_empty() || rows.is_empty() {
             return Err(Dropped::Beside);
@@ -199,7 +199,8 @@ impl Setup {
             top: rows.start as u16,
             bottom: (rows.end - 1) as u16,
         };
-        Ok(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds, diagonals })
+        let attributes = splat.attributes;
+        Ok(SetupSplat { footprint, attributes, bounds, diagonals, ..SetupSplat::default() })
     }
 
     fn origin(&self, splat: &Splat, uniforms: &SetupUniforms) -> Origin {

@@ -43,7 +43,7 @@ fn setup_in(
         near_plane: encode(uniforms.near_plane),
         filter_radius: encode(uniforms.filter_radius),
     };
-    unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms)
+    unit.setup(&Splat { center, tangents, ..Splat::default() }, &uniforms)
 }
 
 fn bounds(splat: &SetupSplat) -> [u16; 4] {
@@ -155,7 +155,7 @@ fn the_footprint_alone_has_the_rasterizers_format() {
         let encode = f32::to_bits;
         let (center, tangents) =
             ([0.3, 0.1, 2.0].map(encode), [[0.0, 0.3, 0.1], [0.2, 0.0, 0.7]].map(|t| t.map(encode)));
-        unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms()).expect("it is in view")
+        unit.setup(&Splat { center, tangents, ..Splat::default() }, &uniforms()).expect("it is in view")
     };
     let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
     let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
@@ -274,12 +274,8 @@ fn any_splat(geometry: Format, random: &mut fastrand::Rng) -> Splat {
     let radius = 2_f32.powf(2.5 * centered() - 4.0);
     let shorter = if random.u8(..4) == 0 { random.f32() } else { 1.0 };
     let tangents = [first * radius, second * (radius * shorter)];
-    Splat {
-        end: false,
-        center: center.map(encode),
-        tangents: tangents.map(|tangent| tangent.to_array().map(encode)),
-        attributes: [0; 14],
-    }
+    let tangents = tangents.map(|tangent| tangent.to_array().map(encode));
+    Splat { center: center.map(encode), tangents, ..Splat::default() }
 }
 
 #[test]

@@ -5,7 +5,10 @@
 pub mod lanes;
 
 use super::uniforms::write_uniform;
-use super::{Latencies, Normalizer, Setup, Splitter, Transform, lane, normalizer, setup, splitter, transform};
+use super::{
+    Latencies, MotionSetup, Normalizer, Setup, Splitter, Transform, lane, motion_setup, normalizer, setup, splitter,
+    transform,
+};
 use crate::unit::Model;
 use lanes::Lanes;
 use pointcore_contract::splat::Config;
@@ -32,17 +35,55 @@ pub struct Shown {
 impl Shown {
     /// What each port of the lanes sees, but for copies.
     #[must_use]
-    pub fn ports_see(&self, inputs: &In, filter_scale: u32) -> Vec<lane::In> {
+    pub fn ports_see(&self, inputs: &In, uniforms: &Uniforms) -> Vec<lane::In> {
         let of_port = |(port, normalizer): (usize, &normalizer::Out)| lane::In {
             read_ready: inputs.read_ready[port],
             data: inputs.data[port],
             write_ready: inputs.write_ready[port],
             pixel_ready: normalizer.in_ready,
             frame_sent: self.frame_sent,
-            filter_scale,
+            filter_scale: uniforms.filter_scale,
+            depth_a: uniforms.viewport.depth_a,
             ..lane::In::default()
         };
         self.normalizers.iter().enumerate().map(of_port).collect()
+    }
+}
+
+/// The setup unit that a configuration has.
+#[derive(Clone, Debug)]
+enum Projection {
+    Still(Setup),
+    Moving(MotionSetup),
+}
+
+impl Projection {
+    fn new(config: &Config, latency: u32) -> Self {
+        if config.has_motion() {
+            Self::Moving(MotionSetup::new(config, latency))
+        } else {
+            Self::Still(Setup::new(config, latency))
+        }
+    }
+
+    fn outputs(&self) -> setup::Out {
+        match self {
+            Self::Still(unit) => unit.outputs(),
+            Self::Moving(unit) => {
+                let motion_setup::Out { in_ready, out } = unit.outputs();
+                setup::Out { in_ready, out }
+            }
+        }
+    }
+
+    fn clock(&mut self, inputs: setup::In) {
+        match self {
+            Self::Still(unit) => unit.clock(&inputs),
+            Self::Moving(unit) => {
+                let setup::In { input, out_ready, viewport, epsilon, near_plane, .. } = inputs;
+                unit.clock(&motion_setup::In { input, out_ready, viewport, epsilon, near_plane });
+            }
+        }
     }
 }
 
@@ -51,10 +92,8 @@ impl Shown {
 pub struct Top {
     config: Config,
     uniforms: Uniforms,
-    /// The bits that the register has.
-    filter_scale_bits: u32,
     transform: Transform,
-    setup: Setup,
+    setup: Projection,
     splitter: Splitter,
     lanes: Lanes,
     frame_set_up: bool,
@@ -71,9 +110,8 @@ impl Top {
         Self {
             config: config.clone(),
             uniforms: Uniforms::default(),
-            filter_scale_bits: u32::MAX >> (u32::BITS - config.filter_scale_format().width()),
             transform: Transform::new(config, latencies.transform),
-            setup: Setup::new(config, latencies.setup),
+            setup: Projection::new(config, latencies.setup),
             splitter: Splitter::new(config),
             lanes: Lanes::new(config, latencies),
             frame_set_up: false,
@@ -106,7 +144,7 @@ impl Top {
             model_view: uniforms.model_view,
             near_plane: uniforms.near_plane,
         });
-        self.setup.clock(&setup::In {
+        self.setup.clock(setup::In {
             input: transform.out,
             out_ready: splitter.in_ready,
             viewport: uniforms.viewport,
@@ -116,11 +154,15 @@ impl Top {
         });
         self.frame_set_up = setup.out.is_some_and(|splat| splat.end) && splitter.in_ready;
         self.splitter.clock(&splitter::In { input: setup.out, out_ready: lanes.in_ready() });
-        let ports = shown.ports_see(inputs, uniforms.filter_scale & self.filter_scale_bits);
+        let ports = shown.ports_see(inputs, uniforms);
         self.lanes.step(splitter.out, &ports, inputs, lanes);
         for (port, lane::Out { pixel, .. }) in lanes.at_ports().enumerate() {
             self.ended[port] |= pixel.is_some_and(|pixel| pixel.end) && shown.normalizers[port].in_ready;
-            self.normalizers[port].clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready[port] });
+            self.normalizers[port].clock(&normalizer::In {
+                input: pixel,
+                out_ready: inputs.fragment_ready[port],
+                shutter: uniforms.shutter,
+            });
         }
         self.frame_sent = self.ended.iter().all(|ended| *ended);
         if self.frame_sent {

@@ -6,6 +6,7 @@ use pointcore_contract::splat::records::{Pixel, attribute_name};
 use pointcore_contract::splat::units::depth_test::PORTS;
 use pointcore_contract::splat::{AttributeFormat, Config};
 
+use super::behind::{self, Outcome};
 use super::sample::Contribution;
 use crate::float::{Operator, add};
 use crate::splat::depth_test;
@@ -15,10 +16,10 @@ use crate::units::wires::Wires;
 use rtl::{Expr, Module, bit, cat, lit};
 
 /// Cycles in which pixels are read and a sample's slot is chosen.
-const CHOICE: u32 = 2;
+pub(super) const CHOICE: u32 = 2;
 
 /// A value from stage 3 as it is in stage `3 + count`.
-fn delay(m: &mut Module, name: &str, value: Expr, count: u32) -> Expr {
+pub(super) fn delay(m: &mut Module, name: &str, value: Expr, count: u32) -> Expr {
     (0..count).fold(value, |value, index| {
         let register = m.reg(&format!("{name}_{}", index + 4), value.width());
         m.next(register, value);
@@ -37,7 +38,7 @@ fn saturated(m: &mut Module, name: &str, format: Format, sum: Expr) -> Expr {
 }
 
 /// How a contribution comes to a stored sum of attributes.
-enum Adder {
+pub(super) enum Adder {
     /// By an operator of so many stages, and a choice behind it.
     Float { format: Format, operator: Operator },
     /// As integers.
@@ -45,7 +46,7 @@ enum Adder {
 }
 
 impl Adder {
-    fn new(attribute: AttributeFormat, cycles: u32) -> Self {
+    pub fn new(attribute: AttributeFormat, cycles: u32) -> Self {
         match attribute {
             AttributeFormat::Float(format) => Self::Float { format, operator: add::module(format, cycles) },
             AttributeFormat::Fixed(_) => Self::Fixed,
@@ -53,7 +54,7 @@ impl Adder {
     }
 
     /// The sum of what is there in stage 3, as it is in stage `3 + cycles`.
-    fn sum(&self, m: &mut Module, name: &str, [stored, contribution]: [Expr; 2], cycles: u32) -> Expr {
+    pub fn sum(&self, m: &mut Module, name: &str, [stored, contribution]: [Expr; 2], cycles: u32) -> Expr {
         let (sum, cycles) = match self {
             Self::Float { format, operator } => {
                 let add = Placed::new(m, &format!("add_{name}"), operator.module.clone());
@@ -127,5 +128,9 @@ pub(super) fn blend(m: &mut Module, config: &Config, sample: &Contribution<Wires
         };
     }
     let overflows = weight_sum.msb();
+    if config.has_motion() {
+        let pixel = behind::pixel(m, config, sample, stored, Outcome { fail, pass, blended: pixel });
+        return Blend { writes: (fail | pass) | !overflows, pixel };
+    }
     Blend { writes: !fail & (pass | !overflows), pixel }
 }

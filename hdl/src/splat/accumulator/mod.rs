@@ -4,6 +4,7 @@
 //! A sample reads its pixel in its slot's bank when it issues and chooses among the banks' registers in stage 2: in one cycle a
 //! block RAM only gets as far as a register. It writes the pixel from stage `accumulate_stages + 1`.
 
+mod behind;
 mod blend;
 mod sample;
 mod slots;

@@ -4,7 +4,7 @@ use pointcore_contract::record;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
 use pointcore_contract::splat::records::{
-    ATTRIBUTES, PIXEL_BITS, SamplePlace, WeightedSample, attribute_name, made_bits,
+    ATTRIBUTES, PIXEL_BITS, SPAN, SamplePlace, WeightedSample, attribute_name, made_bits,
 };
 
 use crate::units::wires::Wires;
@@ -39,6 +39,11 @@ pub(super) struct Contribution {
     /// Far end of the depth band.
     #[bits(DEPTH_BITS)]
     depth_high: u32,
+    /// Where splats may move, for how long its bin sees it.
+    #[when(config.has_motion())]
+    #[name(SPAN[i])]
+    #[bits(config.bin_time_bits())]
+    time: [u32; 2],
     /// Weighted continuous attributes, and cardinal ones as they are.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]
@@ -58,10 +63,10 @@ pub(super) struct Queued {
 impl From<WeightedSample<Wires>> for Queued<Wires> {
     fn from(sample: WeightedSample<Wires>) -> Self {
         let SamplePlace { last, inside, slot, pixel, weight } = sample.place;
-        let WeightedSample { weighted_depth, depth_low, depth_high, attributes, .. } = sample;
+        let WeightedSample { weighted_depth, depth_low, depth_high, time, attributes, .. } = sample;
         Self {
             place: Place { last, inside, slot, pixel },
-            contribution: Contribution { weight, weighted_depth, depth_low, depth_high, attributes },
+            contribution: Contribution { weight, weighted_depth, depth_low, depth_high, time, attributes },
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::units::datapath;
 use crate::units::values::{Terms, Values};
 use course::Course;
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::motion::{TIME_BINS, TIME_BITS, TIME_FRACTION_BITS, TIMES};
+use pointcore_contract::splat::motion::{TIME_BITS, TIME_FRACTION_BITS};
 use pointcore_contract::splat::records::{LOCAL_BITS, MovingFootprint, MovingPlace, MovingSample};
 use pointcore_contract::splat::units::motion_evaluation::PORTS;
 use pointcore_contract::splat::{Config, units};
@@ -58,39 +58,47 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let places = place::places(config.sampling, &program, [column, row]);
     let course = Course::new(frame, &footprint, places);
     let times = times(frame, &course);
-    let time = times.map(|time| (time + frame.one).to_fixed(unsigned(TIME_BITS, TIME_FRACTION_BITS - 1)));
-    let depth = depths(frame, &course, &footprint, times);
-    let share = share::shares(frame, &course, times)?;
-    let local = |index: Value| index.bits(LOCAL_BITS - 1, 0);
+    let mut sample = MovingSample { last, inside: course.inside, slot, ..MovingSample::default() };
+    let since_begin = |time: Value| (time + frame.one).to_fixed(unsigned(TIME_BITS, TIME_FRACTION_BITS - 1));
+    sample.time.iter_mut().zip(&times).for_each(|(at, &time)| *at = since_begin(time));
+    sample.depth.iter_mut().zip(depths(frame, &course, &footprint, &times)).for_each(|(at, depth)| *at = depth);
+    sample.share.iter_mut().zip(share::shares(frame, &course, &times)?).for_each(|(of, share)| *of = share);
+    let local_row = row.bits(LOCAL_BITS - 1, 0);
+    sample.pixel = match config.bin_bits() {
+        0 => local_row.cat(column.bits(LOCAL_BITS - 1, 0)),
+        LOCAL_BITS => local_row.cat(program.lit(LOCAL_BITS, 0)),
+        bits => local_row.cat(column.bits(LOCAL_BITS - 1 - bits, 0)).cat(program.lit(bits, 0)),
+    };
     program.keep_if(course.inside | last);
-    let sample =
-        MovingSample { last, inside: course.inside, slot, pixel: local(row).cat(local(column)), time, depth, share };
     sample.outputs(&program, config);
-    datapath::unit(&units::motion_evaluation::UNIT, config, &program, &options.with_interval(TIME_BINS as u32))
+    datapath::unit(&units::motion_evaluation::UNIT, config, &program, &options.with_interval(config.time_bins))
 }
 
 /// The borders of bins within the time for which the sample is covered.
-fn times(frame: Frame, course: &Course) -> [Value; TIMES] {
-    std::array::from_fn(|index| match index {
+fn times(frame: Frame, course: &Course) -> Vec<Value> {
+    let bins = frame.config.time_bins;
+    let time = |index: u32| match index {
         0 => course.begin,
-        TIME_BINS => course.end,
+        _ if index == bins => course.end,
         _ => {
-            let border = frame.constant(2.0 * index as f64 / TIME_BINS as f64 - 1.0);
+            let border = frame.constant(f64::from(2 * index) / f64::from(bins) - 1.0);
             border.max(course.begin).min(course.end)
         }
-    })
+    };
+    (0..=bins).map(time).collect()
 }
 
 /// Depth at each time: of the splat's plane, or of its centre.
-fn depths(frame: Frame, course: &Course, footprint: &MovingFootprint<Values>, times: [Value; TIMES]) -> [Value; TIMES] {
+fn depths(frame: Frame, course: &Course, footprint: &MovingFootprint<Values>, times: &[Value]) -> Vec<Value> {
     let depth_a = frame.program.uniform(PORTS.depth_a.name, Type::Float(frame.format));
     let [at_zero, change] = footprint.distance.map(|bits| frame.number(bits));
     let scale = frame.number(footprint.depth_scale);
     let scale = if frame.config.has_depth_plane() { course.determinant * scale } else { scale };
-    times.map(|time| {
+    let depth_at = |&time: &Value| {
         let distance = at_zero + time * change;
         let depth = depth_a + scale * recip(frame.config.division, distance);
         name!(distance);
         depth.max(frame.zero).to_fixed(unsigned(DEPTH_BITS, DEPTH_BITS))
-    })
+    };
+    times.iter().map(depth_at).collect()
 }

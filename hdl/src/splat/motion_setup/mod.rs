@@ -10,13 +10,12 @@ use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, nam
 use crate::float::mul;
 use crate::units::datapath;
 use crate::units::values::{Terms, Uniforms, Values};
+use bounds::Octagon;
 use instant::Instant;
 use life::Life;
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
-use pointcore_contract::splat::records::{
-    EpsilonScale, ImageRectangle, MovingFootprint, MovingSplat, SetupMovingSplat, Viewport,
-};
+use pointcore_contract::splat::records::{self, EpsilonScale, Motion, MovingFootprint, SetupSplat, Splat, Viewport};
 use pointcore_contract::splat::units::motion_setup::PORTS;
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::{Fixed, Format, Signedness};
@@ -94,24 +93,25 @@ impl<'a> Frame<'a> {
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let format = config.geometry;
     let program = Program::new("splat_motion_setup", "Footprint and bounds of a moving splat.");
-    let MovingSplat { splat, motion, part } = MovingSplat::inputs(&program, config);
+    let splat = Splat::inputs(&program, config);
+    let Motion { way, part } = splat.motion;
     let frame = Frame::new(config, &program);
     let vector = |bits: [Value; 3]| bits.map(|bits| bits.as_float(format));
     let moving = Moving {
         center: vector(splat.center),
         tangents: splat.tangents.map(vector),
-        motion: vector(motion),
+        motion: vector(way),
         part: part.map(|bits| bits.as_float(format)),
     };
     let life = Life::new(&frame, &moving);
     let instant = Instant::new(&frame, &moving, life.origin);
     let (footprint, edge_on) = footprint(&frame, &moving, &life, &instant);
     let epsilon = epsilon(&frame, &life, &instant);
-    let [x, y] = bounds::samples(&frame, &moving, &life);
-    program.keep_if(splat.end | (life.alive & !edge_on & x.occupied & y.occupied));
-    let bounds = ImageRectangle { left: x.first, right: x.last, top: y.first, bottom: y.last };
-    SetupMovingSplat { end: splat.end, footprint, epsilon, attributes: splat.attributes, bounds }
-        .outputs(&program, config);
+    let Octagon { bounds, diagonals, occupied } = bounds::octagon(&frame, &moving, &life);
+    let Splat { end, attributes, .. } = splat;
+    program.keep_if(end | (life.alive & !edge_on & occupied));
+    let moving = records::Moving { footprint, epsilon };
+    SetupSplat { end, moving, attributes, bounds, diagonals, ..SetupSplat::default() }.outputs(&program, config);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;
     let options = options.with_interval(MOTION_SETUP_INTERVAL).with_stages(&format!("mul.{format}"), spare);

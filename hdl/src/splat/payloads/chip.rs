@@ -45,9 +45,9 @@ pub(super) fn arrive(m: &mut Module, config: &Config, words: Words, places: &Pla
     let holds = m.reg_reset("holds", 1, 0);
     let arrival = Arrival::new(m, config, places, !holds, places.has_free.expr());
     let Arrival { copy, take, begins, place, .. } = arrival;
-    let SplatCopy { end, footprint, attributes, bounds, diagonals, tile, .. } = copy;
+    let SplatCopy { end, footprint, moving, attributes, bounds, diagonals, tile, .. } = copy;
 
-    let payload = words.cut(config, Payload { footprint, attributes });
+    let payload = words.cut(config, Payload { footprint, moving, attributes });
     let free = [place, places.free.expr(), places.has_free.expr()];
     let (written, is_written) = write(m, words, [holds.expr(), begins], &payload, free);
     let empty = !holds;

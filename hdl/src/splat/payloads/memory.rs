@@ -30,11 +30,11 @@ pub(super) fn arrive(m: &mut Module, config: &Config, words: Words, places: &Pla
     let writing = m.reg_reset("writing", 1, 0);
     let arrival = Arrival::new(m, config, places, waiting.room, places.has_free & !writing);
     let Arrival { copy, take, begins, place, .. } = arrival;
-    let SplatCopy { end, footprint, attributes, bounds, diagonals, tile, .. } = copy;
+    let SplatCopy { end, footprint, moving, attributes, bounds, diagonals, tile, .. } = copy;
     let splat = begins.mux(places.free, place);
     let copy = TileCopy { end, bounds, diagonals, tile, splat };
     waiting.push(m, config, take, WaitingCopy { begins, copy });
-    let payload = words.cut(config, Payload { footprint, attributes });
+    let payload = words.cut(config, Payload { footprint, moving, attributes });
     let stored = write(m, config, words, (writing, begins), payload, place);
 
     // Splats whose payload is in memory, and whose first copy waits.

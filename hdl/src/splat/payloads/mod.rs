@@ -51,9 +51,9 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
     };
 
     // The last word goes straight into a register, beside what was kept.
-    let Payload { footprint, attributes } = words.join(config, &payload);
+    let Payload { footprint, moving, attributes } = words.join(config, &payload);
     let PlacedCopy { bounds, diagonals, tile, splat, slot } = current;
-    let copy = CompleteCopy { footprint, attributes, bounds, diagonals, tile, slot };
+    let copy = CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot };
     let out = copy.register(m, config, "held_out_", has_room);
     m.next_if(out_valid, has_room, leaves);
     let out_ready = PORTS.out.drive(m, config, out_valid, out);

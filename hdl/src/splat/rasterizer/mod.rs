@@ -3,6 +3,7 @@
 
 mod evaluation;
 mod fixed_distance;
+mod motion;
 mod position;
 mod scanner;
 
@@ -25,6 +26,9 @@ use scanner::Scanner;
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    if config.has_motion() {
+        return motion::datapath(config, options);
+    }
     let Datapath { module: evaluation, manifest } = evaluation::datapath(config, options)?;
     let mut m = Module::new("splat_rasterizer", "Samples of a splat copy, one a cycle, with their kernel weights.");
     let copy = PORTS.input.declare(&mut m, config);
@@ -41,14 +45,16 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     scanner.step(&mut m, config, &copy, advance, ready);
     let splat = copy.record;
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
-    evaluation.push(&mut m, config, scanner.busy, scanner.position(config, shape));
+    let [column, row] = scanner.place(config);
+    let position = Position { last: *scanner.last, slot: *scanner.slot, column, row, shape };
+    evaluation.push(&mut m, config, scanner.busy, position);
     let shared = Shared { band: splat.footprint.band, attributes: splat.attributes };
     queue.push(&mut m, config, load, shared);
 
     let (valid, Evaluated { place, band }) = evaluation.shown(&mut m, config);
     let (_, shared) = queue.shown(&mut m, config);
     let band = if config.has_depth_plane() { band } else { shared.band };
-    let sample = Sample { place, band, attributes: shared.attributes };
+    let sample = Sample { place, band, attributes: shared.attributes, ..Sample::default() };
     let out_ready = PORTS.out.drive(&mut m, config, valid, sample);
     evaluation.take(&mut m, out_ready);
     queue.take(&mut m, (out_ready & valid) & place.last);

@@ -1,6 +1,5 @@
 //! Walks the samples of a copy's octagon, row by row.
 
-use super::position::{Position, Shape};
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
@@ -10,14 +9,15 @@ use rtl::{Expr, Module, Reg, cat, lit};
 /// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins; the
 /// ends of a row are known before the row is reached.
 pub(super) struct Scanner {
-    /// Bits of a sample's column within its pixel.
+    /// Bits of a sample's column within its pixel, and those of its bin among them.
     sample_bits: u32,
+    bin_bits: u32,
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
     pub idle: Reg,
     /// The current pixel is the copy's last.
-    last: Reg,
-    slot: Reg,
+    pub last: Reg,
+    pub slot: Reg,
     tile: Reg,
     column: Reg,
     row: Reg,
@@ -28,8 +28,8 @@ pub(super) struct Scanner {
     bottom: Reg,
 }
 
-/// First and last column of samples in a row, of those of a rectangle.
-fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
+/// First and last column of samples in a row, of those of a rectangle; each is that of its sample's first bin.
+fn ends([sample_bits, bin_bits]: [u32; 2], sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
     let less = |limit: Expr, by: Expr| {
         let by = by.zext(DIAGONAL_BITS);
         limit.lt(by).mux(lit(DIAGONAL_BITS, 0), limit - by)
@@ -39,6 +39,11 @@ fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, ro
     let first = sum.lt(difference).mux(difference, sum);
     let (sum, difference) = along(diagonals.last_sum, diagonals.last_difference);
     let last = sum.lt(difference).mux(sum, difference);
+    let last_sample = || lit(sample_bits, (1 << sample_bits) - (1 << bin_bits));
+    if sample_bits == LOCAL_BITS {
+        // A tile has one column of pixels.
+        return [lit(LOCAL_BITS, 0), last_sample()];
+    }
     let [left, right] = sides.map(|column| column.bits(LOCAL_BITS - 1, sample_bits));
     let [left, right] = [left, right].map(|pixel| pixel.zext(DIAGONAL_BITS));
     let first = first.lt(left).mux(left, first).trunc(LOCAL_BITS - sample_bits);
@@ -46,14 +51,14 @@ fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, ro
     if sample_bits == 0 {
         return [first, last];
     }
-    let sample = lit(sample_bits, 0);
-    [cat([first, sample]), cat([last, !sample])]
+    [cat([first, lit(sample_bits, 0)]), cat([last, last_sample()])]
 }
 
 impl Scanner {
     pub fn new(m: &mut Module, config: &Config) -> Self {
         Self {
-            sample_bits: config.sampling.columns().ilog2(),
+            sample_bits: config.columns_a_pixel().ilog2(),
+            bin_bits: config.bin_bits(),
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
             last: m.reg("is_last", 1),
@@ -81,11 +86,12 @@ impl Scanner {
         let own_sides = [held(m, "left", ready, left), held(m, "right", ready, right)];
         let own_diagonals = diagonals.register(m, config, "", ready);
 
-        let first_ends = ends(self.sample_bits, [left, right], &diagonals, top);
-        let second_ends = ends(self.sample_bits, [left, right], &diagonals, top.add_lit(1));
-        let following_ends = ends(self.sample_bits, own_sides, &own_diagonals, self.row.add_lit(2));
+        let bits = [self.sample_bits, self.bin_bits];
+        let first_ends = ends(bits, [left, right], &diagonals, top);
+        let second_ends = ends(bits, [left, right], &diagonals, top.add_lit(1));
+        let following_ends = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
         let [next_begin, next_end] = self.next_ends;
-        let next_column = row_done.mux(next_begin, self.column.add_lit(1));
+        let next_column = row_done.mux(next_begin, self.column.add_lit(1 << self.bin_bits));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
         let new_row = advance & (load | row_done);
         m.next_if(self.column, advance, load.mux(first_ends[0], next_column));
@@ -103,17 +109,12 @@ impl Scanner {
         m.next_if(self.idle, advance, load.mux(single, falls_idle));
     }
 
-    /// The current pixel of a splat.
-    pub fn position(&self, config: &Config, shape: Shape<Wires>) -> Position<Wires> {
+    /// Column and row of the current sample in the image, of samples as if nothing moved.
+    pub fn place(&self, config: &Config) -> [Expr; 2] {
         let column_bits = config.tile_column_bits();
         let tile_column = self.tile.bits(column_bits - 1, 0);
         let tile_row = self.tile.bits(config.tile_bits() - 1, column_bits);
-        Position {
-            last: *self.last,
-            slot: *self.slot,
-            column: cat([tile_column, *self.column]),
-            row: cat([tile_row, *self.row]),
-            shape,
-        }
+        let column = cat([tile_column, *self.column]);
+        [column.bits(config.column_bits() - 1, self.bin_bits), cat([tile_row, *self.row])]
     }
 }

@@ -198,7 +198,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     };
     let bounds = ImageRectangle { left: x.first, right: x.last, top: y.first, bottom: y.last };
     let Splat { end, attributes, .. } = splat;
-    SetupSplat { end, footprint, attributes, bounds, diagonals: diagonals.record }.outputs(&program, config);
+    let diagonals = diagonals.record;
+    SetupSplat { end, footprint, attributes, bounds, diagonals, ..SetupSplat::default() }.outputs(&program, config);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;
     datapath::unit(

@@ -115,6 +115,13 @@ impl Lanes {
         }
     }
 
+    /// Feeds all of them what depths begin with.
+    pub fn depth_a(&self, m: &mut Module, depth_a: Expr) {
+        for &lane in &self.lanes {
+            lane::PORTS.depth_a.feed_word(m, lane, depth_a);
+        }
+    }
+
     /// In how many of them something happened in the last cycle.
     pub fn events(&self, m: &mut Module, config: &Config) -> Events<Wires> {
         let width = config.rasterizer_bits() + 1;

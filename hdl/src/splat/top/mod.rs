@@ -4,7 +4,7 @@
 mod lanes;
 
 use super::arbiter::Client;
-use super::{normalizer, setup, splitter, transform};
+use super::{motion_setup, normalizer, setup, splitter, transform};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{InputPorts, OutputPorts, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, held, pipe};
 use crate::units::wires::{Bundle, Wires};
@@ -49,7 +49,11 @@ fn place(
     };
     let instances = Instances {
         transform: datapath(m, "transform", transform::datapath(config, options)?),
-        setup: datapath(m, "setup", setup::datapath(config, options)?),
+        setup: if config.has_motion() {
+            datapath(m, "setup", motion_setup::datapath(config, options)?)
+        } else {
+            datapath(m, "setup", setup::datapath(config, options)?)
+        },
         splitter: m.instance("splitter", splitter::module(config)),
         lanes: Lanes::place(m, config, options)?,
         normalizers: normalizers(m, config, normalizer::datapath(config, options)?, &mut manifests),
@@ -86,6 +90,16 @@ fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &
     let Instances { transform, setup, ref lanes, .. } = *instances;
     units::transform::PORTS.model_view.feed(m, config, transform, uniforms.model_view);
     units::transform::PORTS.near_plane.feed_word(m, transform, uniforms.near_plane);
+    if config.has_motion() {
+        units::motion_setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
+        units::motion_setup::PORTS.epsilon.feed(m, config, setup, uniforms.epsilon);
+        units::motion_setup::PORTS.near_plane.feed_word(m, setup, uniforms.near_plane);
+        for &normalizer in &instances.normalizers {
+            units::normalizer::PORTS.shutter.feed(m, config, normalizer, uniforms.shutter);
+        }
+        lanes.depth_a(m, uniforms.viewport.depth_a);
+        return;
+    }
     units::setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
     units::setup::PORTS.epsilon.feed(m, config, setup, uniforms.epsilon);
     if config.eye_plane.is_on() {
@@ -102,8 +116,13 @@ fn chain(m: &mut Module, config: &Config, instances: &Instances) {
     let Instances { transform, setup, splitter, ref lanes, .. } = *instances;
     let splat = PORTS.splat.declare(m, config);
     units::transform::PORTS.input.feed(m, config, transform, splat);
-    pipe(m, config, (transform, units::transform::PORTS.out), (setup, units::setup::PORTS.input));
-    let set_up = units::setup::PORTS.out.of(m, config, setup);
+    let (input, output) = if config.has_motion() {
+        (units::motion_setup::PORTS.input, units::motion_setup::PORTS.out)
+    } else {
+        (units::setup::PORTS.input, units::setup::PORTS.out)
+    };
+    pipe(m, config, (transform, units::transform::PORTS.out), (setup, input));
+    let set_up = output.of(m, config, setup);
     PORTS.frame_set_up.event(m, set_up.transfer() & set_up.record.end);
     units::splitter::PORTS.input.feed(m, config, splitter, set_up);
     pipe(m, config, (splitter, units::splitter::PORTS.out), (lanes.root, lane::PORTS.input));

@@ -1,6 +1,5 @@
 //! Where in the image a frame takes its cycles: counts by sample, and by tile.
 
-use pointcore_contract::Sampling;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::{CompleteCopy, SamplePlace};
@@ -83,7 +82,7 @@ struct Lane {
 #[derive(Clone, Debug)]
 pub struct SampleMaps {
     layout: Layout,
-    sampling: Sampling,
+    columns_a_pixel: u32,
     lanes: Vec<Lane>,
     evaluated: Vec<u32>,
     inside: Vec<u32>,
@@ -99,8 +98,8 @@ impl SampleMaps {
         let lane = Lane { tiles: vec![0; config.tile_slots as usize], waiting: VecDeque::new() };
         let lanes = vec![lane; config.rasterizers as usize];
         let (evaluated, inside) = (zeros.clone(), zeros.clone());
-        let sampling = config.sampling;
-        Self { layout, sampling, lanes, evaluated, inside, hazards: zeros, copies: 0 }
+        let columns_a_pixel = config.columns_a_pixel();
+        Self { layout, columns_a_pixel, lanes, evaluated, inside, hazards: zeros, copies: 0 }
     }
 
     /// A rasterizer takes a copy: it will evaluate each sample of its octagon.
@@ -109,7 +108,7 @@ impl SampleMaps {
         self.lanes[lane].tiles[usize::from(copy.slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
         for row in copy.bounds.top..=copy.bounds.bottom {
-            let columns = columns(self.sampling, &copy.bounds, &copy.diagonals, row).map(usize::from);
+            let columns = columns(self.columns_a_pixel, &copy.bounds, &copy.diagonals, row).map(usize::from);
             columns.for_each(|column| tile[usize::from(row) * SIZE + column] += 1);
         }
     }

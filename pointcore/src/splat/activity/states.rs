@@ -2,6 +2,8 @@
 
 use super::timeline::{Counts, State, Unit};
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
+use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::units::Events;
 use pointcore_golden::splat::lane;
 use pointcore_golden::splat::top::{In, Out, Shown};
@@ -106,8 +108,8 @@ impl States {
     pub(super) fn new(config: &Config) -> Self {
         Self {
             transform: Datapath::new(config.transform_interval),
-            setup: Datapath::new(config.setup_interval),
-            normalizers: vec![Datapath::new(1); config.memory_ports as usize],
+            setup: Datapath::new(if config.has_motion() { MOTION_SETUP_INTERVAL } else { config.setup_interval }),
+            normalizers: vec![Datapath::new(1 + u32::from(config.has_motion())); config.memory_ports as usize],
             lanes: vec![Lane::default(); config.rasterizers as usize],
         }
     }
@@ -133,7 +135,7 @@ impl States {
         counts.add(Unit::Setup, self.setup.see(placed, footprints), 1);
         // It makes several copies of a splat, so what is in it cannot be counted.
         counts.add(Unit::Splitter, Passage::default().see(footprints, copies), 1);
-        let seen = lanes.seen(splitter.out, &shown.ports_see(inputs, 0), inputs);
+        let seen = lanes.seen(splitter.out, &shown.ports_see(inputs, &Uniforms::default()), inputs);
         for ((lane, shown), seen) in self.lanes.iter_mut().zip(&lanes.lanes).zip(&seen[lanes.lanes.len()..]) {
             lane.see(seen, shown, &mut counts);
         }

@@ -1,0 +1,72 @@
+//! Walks the samples of a copy's octagon, row by row.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::records::{CompleteCopy, TileDiagonals, TileRectangle};
+use std::ops::RangeInclusive;
+
+const SIZE: u16 = TILE_SIZE as u16;
+
+/// Columns of samples in a row of a copy, between the edges of its octagon; a pixel has so many.
+#[must_use]
+pub fn columns(per_pixel: u32, bounds: &TileRectangle, diagonals: &TileDiagonals, row: u16) -> RangeInclusive<u16> {
+    let samples = per_pixel as u16;
+    let below = SIZE - 1 - row;
+    let first = diagonals.first_sum.saturating_sub(row).max(diagonals.first_difference.saturating_sub(below));
+    let last = diagonals.last_sum.saturating_sub(row).min(diagonals.last_difference.saturating_sub(below));
+    bounds.left.max(first * samples)..=bounds.right.min(last * samples + (samples - 1))
+}
+
+/// The copy under rasterization and its next pixel, in tile coordinates.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scan {
+    pub copy: CompleteCopy,
+    per_pixel: u32,
+    /// Columns from a sample to the next: the bins of one follow each other.
+    step: u16,
+    pub column: u16,
+    pub row: u16,
+}
+
+impl Scan {
+    pub fn new(config: &Config, copy: CompleteCopy) -> Self {
+        let (per_pixel, step) = (config.columns_a_pixel(), config.time_bins.max(1) as u16);
+        let row = copy.bounds.top;
+        Self { copy, per_pixel, step, column: *columns(per_pixel, &copy.bounds, &copy.diagonals, row).start(), row }
+    }
+
+    /// Column and row of the current sample in the image, of samples as if nothing moved.
+    pub fn place(&self, config: &Config) -> [u32; 2] {
+        let tile_column_bits = config.tile_column_bits();
+        let tile = [self.copy.tile & ((1 << tile_column_bits) - 1), self.copy.tile >> tile_column_bits];
+        let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
+        [place(tile[0], self.column) >> config.bin_bits(), place(tile[1], self.row)]
+    }
+
+    /// The current sample's pixel of the tile.
+    pub const fn pixel(&self) -> u8 {
+        (self.row * SIZE + self.column) as u8
+    }
+
+    fn columns(&self, row: u16) -> RangeInclusive<u16> {
+        columns(self.per_pixel, &self.copy.bounds, &self.copy.diagonals, row)
+    }
+
+    fn is_row_done(&self) -> bool {
+        self.column + (self.step - 1) == *self.columns(self.row).end()
+    }
+
+    pub fn is_last(&self) -> bool {
+        let copy = &self.copy;
+        self.row == copy.bounds.bottom && self.is_row_done()
+    }
+
+    pub fn step(&mut self) {
+        if self.is_row_done() {
+            self.row += 1;
+            self.column = *self.columns(self.row).start();
+        } else {
+            self.column += self.step;
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! What a bin of the exposure holds besides its nearest surface (thesis chapter 4): all that is hidden joins the rest, and so does what was
+//! nearest until something nearer came.
+//!
+//! Both sums are made before it is known which of them is wanted, so that the loop is no longer than without.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::WEIGHT_SUM_BITS;
+use pointcore_contract::splat::records::{Bin, Pixel, SPAN, attribute_name};
+
+use super::blend::{Adder, delay};
+use super::sample::Contribution;
+use crate::units::wires::Wires;
+use rtl::{Expr, Module};
+
+/// What was found out of a pixel and a sample, in the last stage.
+pub(super) struct Outcome {
+    /// The pixel hides the sample.
+    pub fail: Expr,
+    /// The sample hides the pixel.
+    pub pass: Expr,
+    /// The nearest surface, unless the sample is hidden.
+    pub blended: Pixel<Wires>,
+}
+
+/// How the rest comes to its new value.
+struct Joining {
+    cycles: u32,
+    /// What was nearest joins it, else the sample.
+    pass: Expr,
+    /// Either does.
+    joins: Expr,
+}
+
+impl Joining {
+    /// The rest as it was, or with what joins it; the choices are those of the last stage.
+    fn choose(&self, m: &mut Module, name: &str, rest: Expr, [of_sample, of_nearest]: [Expr; 2]) -> Expr {
+        let before = delay(m, &format!("rest_{name}_before"), rest, self.cycles);
+        self.joins.mux(self.pass.mux(of_nearest, of_sample), before)
+    }
+
+    /// An integer sum.
+    fn sum(&self, m: &mut Module, name: &str, rest: Expr, others: [Expr; 2]) -> Expr {
+        let sums = ["sample", "nearest"].into_iter().zip(others);
+        let sums = sums.map(|(of, other)| delay(m, &format!("rest_{name}_and_{of}"), rest + other, self.cycles));
+        let sums = sums.collect::<Vec<_>>();
+        self.choose(m, name, rest, [sums[0], sums[1]])
+    }
+}
+
+/// The pixel with the sample in it or behind it: `sample` and `stored` are those of stage 3.
+pub(super) fn pixel(
+    m: &mut Module,
+    config: &Config,
+    sample: &Contribution<Wires>,
+    stored: &Pixel<Wires>,
+    outcome: Outcome,
+) -> Pixel<Wires> {
+    let Outcome { fail, pass, blended } = outcome;
+    let cycles = config.accumulate_stages - super::blend::CHOICE;
+    let rest = stored.bin;
+    let weights = [sample.weight.zext(WEIGHT_SUM_BITS), stored.weight];
+    let fits = ["sample", "nearest"].into_iter().zip(weights).map(|(of, weight)| {
+        let overflows = rest.weight.add_carry(weight).msb();
+        delay(m, &format!("rest_fits_{of}"), !overflows, cycles)
+    });
+    let fits = fits.collect::<Vec<_>>();
+    let joins = m.wire("joins_rest", (fail & fits[0]) | (pass & fits[1]));
+    let joining = Joining { cycles, pass, joins };
+
+    let weight = joining.sum(m, "weight", rest.weight, weights);
+    let depths = [sample.weighted_depth.zext(stored.depth.width()), stored.depth];
+    let depth = joining.sum(m, "depth", rest.depth, depths);
+    let mut bin = Bin { weight, depth, ..Bin::default() };
+    let mut stronger = None;
+    if config.cardinal > 0 {
+        let peaks = [sample.weight, stored.peak];
+        let larger = ["sample", "nearest"].into_iter().zip(peaks).map(|(of, peak)| {
+            let larger = rest.peak.lt(peak);
+            (delay(m, &format!("rest_less_than_{of}"), larger, cycles), larger.mux(peak, rest.peak))
+        });
+        let (late, largest): (Vec<_>, Vec<_>) = larger.unzip();
+        let largest = ["sample", "nearest"].into_iter().zip(largest);
+        let largest = largest.map(|(of, peak)| delay(m, &format!("rest_peak_with_{of}"), peak, cycles));
+        let largest = largest.collect::<Vec<_>>();
+        bin.peak = joining.choose(m, "peak", rest.peak, [largest[0], largest[1]]);
+        stronger = Some(m.wire("rest_selects", pass.mux(late[1], late[0]) & joins));
+    }
+    let adder = Adder::new(config.attribute, cycles);
+    for place in 0..config.attributes() as usize {
+        let name = attribute_name(config, place);
+        let (of_rest, others) = (rest.attributes[place], [sample.attributes[place], stored.attributes[place]]);
+        bin.attributes[place] = match stronger.filter(|_| place >= config.continuous as usize) {
+            Some(stronger) => {
+                let late = ["sample", "nearest"].into_iter().zip(others);
+                let late = late.map(|(of, other)| delay(m, &format!("{name}_of_{of}"), other, cycles));
+                let late = late.collect::<Vec<_>>();
+                let before = delay(m, &format!("rest_{name}_before"), of_rest, cycles);
+                stronger.mux(pass.mux(late[1], late[0]), before)
+            }
+            None => {
+                let sums = ["sample", "nearest"]
+                    .into_iter()
+                    .zip(others)
+                    .map(|(of, other)| adder.sum(m, &format!("rest_{name}_and_{of}"), [of_rest, other], cycles));
+                let sums = sums.collect::<Vec<_>>();
+                joining.choose(m, &name, of_rest, [sums[0], sums[1]])
+            }
+        };
+    }
+    for (end, name) in SPAN.into_iter().enumerate() {
+        let time = sample.time[end];
+        let hull = |before: Expr| before.lt(time).mux(time, before);
+        bin.any[end] = delay(m, &format!("any_{name}"), hull(rest.any[end]), cycles);
+        let together = delay(m, &format!("together_{name}"), hull(rest.nearest[end]), cycles);
+        let before = delay(m, &format!("nearest_{name}_before"), rest.nearest[end], cycles);
+        let late = delay(m, &format!("sample_{name}"), time, cycles);
+        bin.nearest[end] = fail.mux(before, pass.mux(late, together));
+    }
+
+    // What hides the sample stays.
+    let mut kept = |name: &str, stored: Expr, new: Expr| {
+        let stored = delay(m, &format!("kept_{name}"), stored, cycles);
+        fail.mux(stored, new)
+    };
+    let mut pixel = Pixel {
+        weight: kept("weight", stored.weight, blended.weight),
+        depth: kept("depth", stored.depth, blended.depth),
+        bin,
+        ..blended
+    };
+    if config.cardinal > 0 {
+        pixel.peak = kept("peak", stored.peak, blended.peak);
+    }
+    for place in 0..config.attributes() as usize {
+        let name = attribute_name(config, place);
+        pixel.attributes[place] = kept(&name, stored.attributes[place], blended.attributes[place]);
+    }
+    pixel
+}
