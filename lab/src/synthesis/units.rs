@@ -184,15 +184,26 @@ fn operators() -> Vec<MeasuredUnit> {
     formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
 }
 
-/// Every unit of the renderer, at `ecp5`, but for those of which there is nothing but other units; those between lanes, too.
+/// Every unit of the renderer, at `ecp5`, but for those of which there is nothing but other units; those between lanes, and those of splats that move, too.
 fn splat_units() -> Vec<MeasuredUnit> {
+    use splat_spec::config::PayloadStore;
     use splat_spec::units::{lane, top};
     let is_measured = |unit: &Unit<splat_spec::Config>| ![lane::UNIT.module, top::UNIT.module].contains(&unit.module);
     let units = splat::UNITS.into_iter().filter(|(unit, _)| is_measured(unit));
     let measured = units.map(|(unit, describe)| {
         MeasuredUnit::new(unit.module, move || {
-            let two = splat_spec::Config { rasterizers: 2, ..ecp5() };
-            describe(&if (unit.is_present)(&ecp5()) { ecp5() } else { two })
+            let with = |change: fn(&mut splat_spec::Config)| {
+                let mut config = ecp5();
+                change(&mut config);
+                config
+            };
+            let several = with(|config| config.rasterizers = 2);
+            let ports = with(|config| (config.rasterizers, config.memory_ports) = (2, 2));
+            let in_memory = with(|config| config.payload = PayloadStore::Memory);
+            let moving = with(|config| (config.time_bins, config.screen_filter) = (4, splat_spec::Feature::Off));
+            let configurations = [ecp5(), several, ports, in_memory, moving];
+            let described = configurations.into_iter().find(|config| (unit.is_present)(config));
+            describe(&described.expect("one of them has it"))
         })
     });
     measured.collect()
