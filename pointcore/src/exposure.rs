@@ -36,7 +36,7 @@ pub fn by_samples(scene: &Scene, count: usize, frame_done: &(dyn Fn() + Sync)) -
     exposure
 }
 
-fn shutter(scene: &Scene) -> Shutter {
+pub(crate) fn shutter(scene: &Scene) -> Shutter {
     scene.motion.as_ref().map_or(Shutter::Box, |motion| motion.shutter)
 }
 

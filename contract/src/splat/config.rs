@@ -107,7 +107,7 @@ configuration! {
     pub struct Config, kind "splat" {
         /// What is drawn.
         image: Image {
-            /// Samples a row: pixels, or what `sampling` makes of them.
+            /// Samples a row: pixels, or what `sampling` and `time_bins` make of them.
             width: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;
             /// Rows of samples.
             height: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;

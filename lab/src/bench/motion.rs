@@ -4,8 +4,11 @@ use crate::accuracy::figures::{PSNR_MAX_DB, perceived};
 use crate::{Figures, LabError, note, write};
 use pointcore::exposure::{by_method, by_samples};
 use pointcore::picture::Picture;
+use pointcore::plan::PlanError;
 use pointcore::scene::Scene;
 use pointcore::shading;
+use pointcore::splat::{MovingScene, SplatCore, SplatRunner};
+use pointcore_contract::splat::Config;
 use pointcore_golden::reference::motion::Method;
 use pointcore_golden::reference::{Mapping, render};
 use pointcore_tb::cache::file;
@@ -32,6 +35,8 @@ const SHOWN: [Method; 3] = [Method::Exact, Method::Bins(4), Method::Passes(1)];
 const TRUE_SAMPLES: usize = 256;
 /// How many samples in time are tried, from the fewest up, until they err as little as a method.
 const LADDER: [usize; 14] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
+/// Bins of the hardware that is measured beside f64.
+const HARDWARE_BINS: u32 = 4;
 /// How much differences are magnified.
 const MAGNIFICATION: f64 = 4.0;
 
@@ -106,11 +111,31 @@ pub fn figures(folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
         table += &row("samples that err as little", &|index| {
             equal[index].map_or_else(|| format!("> {}", LADDER[LADDER.len() - 1]), |count| count.to_string())
         });
+        note!("{name}: hardware with {HARDWARE_BINS} bins");
+        let (drawn, cycles) = on_hardware(&scene)?;
+        let measured = Measured::new(&truth, || drawn);
+        let mut insert = |what: &str, value: serde_json::Value| {
+            _ = figures.insert(format!("motion.{name}.{what}.hardware_{HARDWARE_BINS}"), value);
+        };
+        insert("psnr_db", measured.psnr_db.into());
+        insert("flip", measured.flip.into());
+        insert("cycles", cycles.into());
         // The table so far, which makes the folder, too.
         write(&folder.join("README.md"), &table)?;
         save_strip(&scene, &truth, &methods, &folder.join(format!("motion_{name}.png")))?;
     }
     Ok(())
+}
+
+/// What hardware draws that has bins of the exposure, by its golden model, before a still frame in f64; and the cycles of it.
+fn on_hardware(scene: &Scene) -> Result<(Picture, u64), LabError> {
+    let moving = MovingScene::new(scene, HARDWARE_BINS, &Config::default()).map_err(PlanError::from)?;
+    let core = SplatCore::generate(moving.config())?;
+    let frame = moving.frame();
+    let outcome = SplatRunner::new(moving.config(), &frame).golden(&core)?;
+    let background = render(moving.still(), &scene.camera, &scene.rendering, Mapping::Backward);
+    let picture = shading::exposed(&moving.exposure(&outcome.fragments, &background), scene);
+    Ok((picture, outcome.simulated_cycles))
 }
 
 /// Above, the truth and the methods' pictures; below, the still picture of the middle of the exposure, and the methods' differences from the truth.

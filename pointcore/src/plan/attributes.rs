@@ -1,6 +1,7 @@
 //! What a scene's splats carry beside their geometry, and whether the hardware's formats hold it and the scene's filter.
 
 use crate::scene::Scene;
+use pointcore_contract::Splat;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Fraction, RasterFormat};
 use pointcore_contract::surface::{CONTINUOUS_ATTRIBUTES, NORMAL};
 
@@ -31,17 +32,29 @@ pub(super) fn filter_conflict(scene: &Scene, rasterizer: RasterFormat) -> Option
 pub(super) fn attributes(scene: &Scene) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
     // Splats that turn with the eye have another normal in another frame.
     let turns = scene.views.len() > 1 && !scene.sides.is_empty() && scene.is_lit();
+    let (_, mut constants) = differing(scene.splats.iter());
+    if turns {
+        constants[NORMAL].fill(None);
+    }
+    (varying(&constants), constants)
+}
+
+/// The same of splats alone.
+pub(crate) fn differing<'a>(
+    splats: impl Iterator<Item = &'a Splat> + Clone,
+) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
     let constant = |index: usize| {
-        if turns && NORMAL.contains(&index) {
-            return None;
-        }
-        let first = scene.splats.first().map(|splat| splat.attributes[index])?;
-        scene.splats.iter().all(|splat| splat.attributes[index] == first).then_some(first)
+        let mut values = splats.clone().map(|splat| splat.attributes[index]);
+        let first = values.next()?;
+        values.all(|value| value == first).then_some(first)
     };
     let mut constants: [_; CONTINUOUS_ATTRIBUTES] = std::array::from_fn(constant);
     if constants.iter().all(Option::is_some) {
         constants[NORMAL.start] = None;
     }
-    let varying = (0..CONTINUOUS_ATTRIBUTES).filter(|&index| constants[index].is_none()).collect();
-    (varying, constants)
+    (varying(&constants), constants)
+}
+
+fn varying(constants: &[Option<f32>]) -> Vec<usize> {
+    (0..constants.len()).filter(|&index| constants[index].is_none()).collect()
 }

@@ -12,6 +12,7 @@ mod given;
 mod overrides;
 mod planner;
 
+pub(crate) use attributes::differing;
 pub use depth::DepthLoss;
 pub use effect::{Effect, EffectExtent};
 pub use error::PlanError;
