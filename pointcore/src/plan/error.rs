@@ -7,7 +7,7 @@ use pointcore_contract::splat::config::ConfigError;
 pub enum PlanError {
     /// A scene that moves while the shutter is open.
     #[error(
-        "the scene moves while the shutter is open (`[shutter]`), and no hardware draws motion blur: render it by `pointcore run SCENE --model \
+        "the scene moves while the shutter is open (`[shutter]`), and plans have no hardware for motion blur yet: render it by `pointcore run SCENE --model \
          reference`, or take `[shutter]` and all `motion` tables out for a still picture"
     )]
     Moving,
