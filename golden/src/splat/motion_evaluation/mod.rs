@@ -53,6 +53,18 @@ impl MotionEvaluation {
         }
     }
 
+    /// Whether a place is taken in this cycle.
+    #[must_use]
+    pub fn in_ready(&self) -> bool {
+        self.datapath.in_ready()
+    }
+
+    /// The sample that is shown.
+    #[must_use]
+    pub fn out(&self) -> Option<&MovingSample> {
+        self.datapath.out()
+    }
+
     /// What the splat does to the sample at a place, inside or not.
     #[must_use]
     pub fn evaluate(&self, place: &MovingPlace, depth_a: u32) -> MovingSample {
@@ -106,7 +118,7 @@ impl Model for MotionEvaluation {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+        Out { in_ready: self.in_ready(), out: self.out().copied() }
     }
 
     fn clock(&mut self, inputs: &In) {

@@ -24,8 +24,8 @@ use pointcore_contract::splat::units::RasterizerEvents;
 pub use pointcore_contract::splat::units::rasterizer::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
 use pointcore_contract::{Format, Sampling};
-use scan::Scan;
 pub use scan::columns;
+use scan::{Scan, Scanner};
 use std::sync::Arc;
 
 /// The rasterizer.
@@ -43,7 +43,7 @@ pub struct Rasterizer {
     kernel: Arc<Table>,
     /// Bits of `ρ²` that the kernel sees.
     kernel_bits: u32,
-    scan: Option<Scan>,
+    scanner: Scanner,
     copies: Fifo<(Band, Attributes)>,
     /// Samples, with their depth band where their splat has none.
     datapath: Datapath<(SamplePlace, Option<Band>)>,
@@ -73,7 +73,7 @@ impl Rasterizer {
             config: config.clone(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
             kernel_bits,
-            scan: None,
+            scanner: Scanner::new(config),
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             datapath: Datapath::new(latency, 1),
             events: RasterizerEvents::default(),
@@ -81,7 +81,7 @@ impl Rasterizer {
     }
 
     fn in_ready(&self) -> bool {
-        self.datapath.in_ready() && self.scan.as_ref().is_none_or(Scan::is_last) && self.copies.in_ready()
+        self.datapath.in_ready() && self.scanner.is_idle() && self.copies.in_ready()
     }
 
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
@@ -175,18 +175,10 @@ impl Model for Rasterizer {
 
     fn clock(&mut self, inputs: &In) {
         let advances = self.datapath.in_ready();
-        let busy = self.scan.is_some();
         let taken = inputs.input.filter(|_| self.in_ready());
-        let sample = self.scan.as_ref().filter(|_| advances);
+        let sample = self.scanner.current().filter(|_| advances);
         let sample = sample.map(|scan| Token::from(self.sample(scan, inputs.filter_scale)));
-        self.events =
-            RasterizerEvents { sample: advances && busy, starved: advances && !busy, blocked: busy && !advances };
-        if advances {
-            match &mut self.scan {
-                Some(scan) if !scan.is_last() => scan.step(),
-                scan => *scan = taken.map(|copy| Scan::new(&self.config, copy)),
-            }
-        }
+        self.events = self.scanner.clock(advances, taken);
         let left = self.datapath.step(sample, inputs.out_ready);
         let copy = taken.map(|copy| (copy.footprint.band, copy.attributes));
         self.copies.step(copy, left.is_some_and(|(place, _)| place.last));

@@ -4,7 +4,7 @@
 //! Samples of the octagon, evaluated in as many cycles as there are bins by [motion evaluation](crate::splat::motion_evaluation); bins that a splat does
 //! not cover are left out, but for a copy's last. ε and attributes wait in a queue beside the evaluation.
 
-use super::{In, Out, Scan};
+use super::{In, Out, Scanner};
 use crate::splat::{MotionEvaluation, motion_evaluation};
 use crate::stream::Fifo;
 use crate::unit::Model;
@@ -21,7 +21,7 @@ const WEIGHT_MAX: u32 = (1 << WEIGHT_BITS) - 1;
 #[derive(Clone, Debug)]
 pub struct MotionRasterizer {
     config: Config,
-    scan: Option<Scan>,
+    scanner: Scanner,
     /// Half the depth bands of the copies under way, and their attributes.
     copies: Fifo<(u32, Attributes)>,
     evaluation: MotionEvaluation,
@@ -36,7 +36,7 @@ impl MotionRasterizer {
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
             config: config.clone(),
-            scan: None,
+            scanner: Scanner::new(config),
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             evaluation: MotionEvaluation::new(config, latency),
             bin: 0,
@@ -45,8 +45,7 @@ impl MotionRasterizer {
     }
 
     fn in_ready(&self) -> bool {
-        let scans = self.scan.as_ref().is_none_or(Scan::is_last);
-        self.evaluation.outputs().in_ready && scans && self.copies.in_ready()
+        self.evaluation.in_ready() && self.scanner.is_idle() && self.copies.in_ready()
     }
 
     /// What a sample's bin sees of it; `None` if that is nothing, and nothing hangs on it.
@@ -77,8 +76,8 @@ impl MotionRasterizer {
 
     /// What is shown of the sample that leaves the evaluation.
     fn shown(&self) -> Option<Sample> {
-        let sample = self.evaluation.outputs().out?;
-        Self::bin(&self.config, &sample, self.bin, self.copies.out().copied().unwrap_or_default())
+        let sample = self.evaluation.out()?;
+        Self::bin(&self.config, sample, self.bin, self.copies.out().copied().unwrap_or_default())
     }
 }
 
@@ -93,14 +92,12 @@ impl Model for MotionRasterizer {
 
     fn clock(&mut self, inputs: &In) {
         let shown = self.shown();
-        let leaving = self.evaluation.outputs().out.is_some();
-        let passes = leaving && (shown.is_none() || inputs.out_ready);
+        let passes = self.evaluation.out().is_some() && (shown.is_none() || inputs.out_ready);
         let is_last_bin = self.bin + 1 == self.config.time_bins as usize;
 
-        let advances = self.evaluation.outputs().in_ready;
-        let busy = self.scan.is_some();
+        let advances = self.evaluation.in_ready();
         let taken = inputs.input.filter(|_| self.in_ready());
-        let place = self.scan.as_ref().map(|scan| {
+        let place = self.scanner.current().map(|scan| {
             let [column, row] = scan.place(&self.config).map(|place| place as u16);
             MovingPlace {
                 last: scan.is_last(),
@@ -115,14 +112,7 @@ impl Model for MotionRasterizer {
             out_ready: passes && is_last_bin,
             depth_a: inputs.depth_a,
         });
-        self.events =
-            RasterizerEvents { sample: advances && busy, starved: advances && !busy, blocked: busy && !advances };
-        if advances {
-            match &mut self.scan {
-                Some(scan) if !scan.is_last() => scan.step(),
-                scan => *scan = taken.map(|copy| Scan::new(&self.config, copy)),
-            }
-        }
+        self.events = self.scanner.clock(advances, taken);
         if passes {
             self.bin = if is_last_bin { 0 } else { self.bin + 1 };
         }

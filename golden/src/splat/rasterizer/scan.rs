@@ -3,6 +3,7 @@
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{CompleteCopy, TileDiagonals, TileRectangle};
+use pointcore_contract::splat::units::RasterizerEvents;
 use std::ops::RangeInclusive;
 
 const SIZE: u16 = TILE_SIZE as u16;
@@ -68,5 +69,39 @@ impl Scan {
         } else {
             self.column += self.step;
         }
+    }
+}
+
+/// The copy that is scanned, or none.
+#[derive(Clone, Debug)]
+pub(super) struct Scanner {
+    config: Config,
+    current: Option<Scan>,
+}
+
+impl Scanner {
+    pub fn new(config: &Config) -> Self {
+        Self { config: config.clone(), current: None }
+    }
+
+    pub const fn current(&self) -> Option<&Scan> {
+        self.current.as_ref()
+    }
+
+    /// Whether another copy can come: there is none, or its last sample is the current one.
+    pub fn is_idle(&self) -> bool {
+        self.current.as_ref().is_none_or(Scan::is_last)
+    }
+
+    /// A cycle, in which what evaluates samples advances or not, and a copy may come; returns what happened.
+    pub fn clock(&mut self, advances: bool, taken: Option<CompleteCopy>) -> RasterizerEvents {
+        let busy = self.current.is_some();
+        if advances {
+            match &mut self.current {
+                Some(scan) if !scan.is_last() => scan.step(),
+                current => *current = taken.map(|copy| Scan::new(&self.config, copy)),
+            }
+        }
+        RasterizerEvents { sample: advances && busy, starved: advances && !busy, blocked: busy && !advances }
     }
 }

@@ -15,7 +15,6 @@ use crate::units::wires::{Bundle, layout};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::COPY_QUEUE_DEPTH;
 use pointcore_contract::splat::records::Sample;
-use pointcore_contract::splat::units::RasterizerEvents;
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use position::{Evaluated, Position, Shape, Shared};
 use rtl::Module;
@@ -39,10 +38,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let queue_ready = queue.room(&mut m);
 
     let scanner = Scanner::new(&mut m, config);
-    let ready = m.wire("take", (advance & scanner.idle) & queue_ready);
-    m.drive(copy.ready, ready);
-    let load = m.wire("load", ready & copy.valid);
-    scanner.step(&mut m, config, &copy, advance, ready);
+    let [ready, load] = scanner.take(&mut m, config, &copy, [advance, queue_ready]);
     let splat = copy.record;
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
     let [column, row] = scanner.place(config);
@@ -63,8 +59,6 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let filter_scale = PORTS.filter_scale.declare_word(&mut m, config.filter_scale_format().width());
         PORTS.filter_scale.feed_word(&mut m, evaluation.instance(), filter_scale);
     }
-    let busy = scanner.busy.expr();
-    let events = RasterizerEvents { sample: advance & busy, starved: advance & !busy, blocked: busy & !advance };
-    PORTS.events.events(&mut m, config, events);
+    PORTS.events.events(&mut m, config, scanner.events(advance));
     Ok(Datapath { module: m, manifest })
 }

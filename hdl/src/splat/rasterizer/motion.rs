@@ -15,7 +15,6 @@ use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_contract::splat::records::{
     ATTRIBUTES, Band, MovingPlace, MovingSample, PIXEL_BITS, Sample, SamplePlace, attribute_name,
 };
-use pointcore_contract::splat::units::RasterizerEvents;
 use pointcore_contract::splat::units::motion_evaluation::PORTS as EVALUATION;
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use rtl::{Expr, Module, Reg, bit, cat, lit};
@@ -47,10 +46,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let queue_ready = queue.room(&mut m);
 
     let scanner = Scanner::new(&mut m, config);
-    let ready = m.wire("take", (advance & scanner.idle) & queue_ready);
-    m.drive(copy.ready, ready);
-    let load = m.wire("load", ready & copy.valid);
-    scanner.step(&mut m, config, &copy, advance, ready);
+    let [ready, load] = scanner.take(&mut m, config, &copy, [advance, queue_ready]);
     let moving = copy.record.moving;
     let footprint = moving.footprint.register(&mut m, config, "", ready);
     let [column, row] = scanner.place(config);
@@ -72,9 +68,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     evaluation.take(&mut m, leaves);
     queue.take(&mut m, (shows & out_ready) & sample.place.last);
 
-    let busy = scanner.busy.expr();
-    let events = RasterizerEvents { sample: advance & busy, starved: advance & !busy, blocked: busy & !advance };
-    PORTS.events.events(&mut m, config, events);
+    PORTS.events.events(&mut m, config, scanner.events(advance));
     Ok(Datapath { module: m, manifest })
 }
 

@@ -4,6 +4,7 @@ use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{CompleteCopy, DIAGONAL_BITS, LOCAL_BITS, TileDiagonals, TileRectangle};
+use pointcore_contract::splat::units::RasterizerEvents;
 use rtl::{Expr, Module, Reg, cat, lit};
 
 /// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins; the
@@ -14,7 +15,7 @@ pub(super) struct Scanner {
     bin_bits: u32,
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
-    pub idle: Reg,
+    idle: Reg,
     /// The current pixel is the copy's last.
     pub last: Reg,
     pub slot: Reg,
@@ -72,8 +73,30 @@ impl Scanner {
         }
     }
 
+    /// Takes copies in cycles in which what evaluates samples advances and there is room for what they share; returns when it would take one,
+    /// and when it does.
+    pub fn take(
+        &self,
+        m: &mut Module,
+        config: &Config,
+        copy: &Flow<CompleteCopy<Wires>>,
+        [advance, room]: [Expr; 2],
+    ) -> [Expr; 2] {
+        let ready = m.wire("take", (advance & self.idle) & room);
+        m.drive(copy.ready, ready);
+        let load = m.wire("load", ready & copy.valid);
+        self.step(m, config, copy, advance, ready);
+        [ready, load]
+    }
+
+    /// What happens in a cycle.
+    pub fn events(&self, advance: Expr) -> RasterizerEvents<Wires> {
+        let busy = self.busy.expr();
+        RasterizerEvents { sample: advance & busy, starved: advance & !busy, blocked: busy & !advance }
+    }
+
     /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
-    pub fn step(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr, ready: Expr) {
+    fn step(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr, ready: Expr) {
         let load = ready & copy.valid;
         let row_done = m.wire("row_done", self.column.eq(self.row_end));
         m.next_if(self.busy, advance, load | (self.busy & !self.last));
