@@ -124,7 +124,7 @@ impl Accumulator {
         let nearest = match outcome {
             depth_test::Out { fail: true, .. } => None,
             depth_test::Out { pass: true, .. } => Some(alone),
-            _ => Some(self.merged(&sums(stored), &alone)?),
+            _ => Some(self.merged(stored, &alone)?),
         };
         if !self.has_motion {
             return nearest;
@@ -134,7 +134,7 @@ impl Accumulator {
         let rest = rest(&stored.bin);
         let joins = match outcome {
             depth_test::Out { fail: true, .. } => Some(alone),
-            depth_test::Out { pass: true, .. } => Some(sums(stored)),
+            depth_test::Out { pass: true, .. } => Some(*stored),
             _ => None,
         };
         let Pixel { weight, depth, peak, attributes, .. } =
@@ -178,11 +178,6 @@ impl Accumulator {
         let peak = stored.peak.max(other.peak);
         Some(Pixel { weight, depth: stored.depth + other.depth, peak, attributes, ..Pixel::default() })
     }
-}
-
-/// The sums of a pixel's nearest surface.
-fn sums(pixel: &Pixel) -> Pixel {
-    Pixel { bin: Bin::default(), ..*pixel }
 }
 
 /// The sums of all else.

@@ -7,7 +7,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::WEIGHT_SUM_BITS;
 use pointcore_contract::splat::records::{Bin, Pixel, SPAN, attribute_name};
 
-use super::blend::{Adder, delay};
+use super::blend::{Adder, CHOICE, delay};
 use super::sample::Contribution;
 use crate::units::wires::Wires;
 use rtl::{Expr, Module};
@@ -40,11 +40,15 @@ impl Joining {
 
     /// An integer sum.
     fn sum(&self, m: &mut Module, name: &str, rest: Expr, others: [Expr; 2]) -> Expr {
-        let sums = ["sample", "nearest"].into_iter().zip(others);
-        let sums = sums.map(|(of, other)| delay(m, &format!("rest_{name}_and_{of}"), rest + other, self.cycles));
-        let sums = sums.collect::<Vec<_>>();
-        self.choose(m, name, rest, [sums[0], sums[1]])
+        let sums =
+            of_each(others).map(|(of, other)| delay(m, &format!("rest_{name}_and_{of}"), rest + other, self.cycles));
+        self.choose(m, name, rest, sums)
     }
+}
+
+/// What may join the rest, by name.
+fn of_each<T>([of_sample, of_nearest]: [T; 2]) -> [(&'static str, T); 2] {
+    [("sample", of_sample), ("nearest", of_nearest)]
 }
 
 /// The pixel with the sample in it or behind it: `sample` and `stored` are those of stage 3.
@@ -56,14 +60,13 @@ pub(super) fn pixel(
     outcome: Outcome,
 ) -> Pixel<Wires> {
     let Outcome { fail, pass, blended } = outcome;
-    let cycles = config.accumulate_stages - super::blend::CHOICE;
+    let cycles = config.accumulate_stages - CHOICE;
     let rest = stored.bin;
     let weights = [sample.weight.zext(WEIGHT_SUM_BITS), stored.weight];
-    let fits = ["sample", "nearest"].into_iter().zip(weights).map(|(of, weight)| {
+    let fits = of_each(weights).map(|(of, weight)| {
         let overflows = rest.weight.add_carry(weight).msb();
         delay(m, &format!("rest_fits_{of}"), !overflows, cycles)
     });
-    let fits = fits.collect::<Vec<_>>();
     let joins = m.wire("joins_rest", (fail & fits[0]) | (pass & fits[1]));
     let joining = Joining { cycles, pass, joins };
 
@@ -71,39 +74,32 @@ pub(super) fn pixel(
     let depths = [sample.weighted_depth.zext(stored.depth.width()), stored.depth];
     let depth = joining.sum(m, "depth", rest.depth, depths);
     let mut bin = Bin { weight, depth, ..Bin::default() };
-    let mut stronger = None;
-    if config.cardinal > 0 {
+    // The cardinal attributes are those of the larger peak.
+    let stronger = (config.cardinal > 0).then(|| {
         let peaks = [sample.weight, stored.peak];
-        let larger = ["sample", "nearest"].into_iter().zip(peaks).map(|(of, peak)| {
-            let larger = rest.peak.lt(peak);
-            (delay(m, &format!("rest_less_than_{of}"), larger, cycles), larger.mux(peak, rest.peak))
+        let largest = of_each(peaks).map(|(of, peak)| {
+            let largest = rest.peak.lt(peak).mux(peak, rest.peak);
+            delay(m, &format!("rest_peak_with_{of}"), largest, cycles)
         });
-        let (late, largest): (Vec<_>, Vec<_>) = larger.unzip();
-        let largest = ["sample", "nearest"].into_iter().zip(largest);
-        let largest = largest.map(|(of, peak)| delay(m, &format!("rest_peak_with_{of}"), peak, cycles));
-        let largest = largest.collect::<Vec<_>>();
-        bin.peak = joining.choose(m, "peak", rest.peak, [largest[0], largest[1]]);
-        stronger = Some(m.wire("rest_selects", pass.mux(late[1], late[0]) & joins));
-    }
+        bin.peak = joining.choose(m, "peak", rest.peak, largest);
+        let [of_sample, of_nearest] =
+            of_each(peaks).map(|(of, peak)| delay(m, &format!("rest_less_than_{of}"), rest.peak.lt(peak), cycles));
+        let joins = m.wire("rest_selects", pass.mux(of_nearest, of_sample) & joins);
+        Joining { cycles, pass, joins }
+    });
     let adder = Adder::new(config.attribute, cycles);
     for place in 0..config.attributes() as usize {
         let name = attribute_name(config, place);
         let (of_rest, others) = (rest.attributes[place], [sample.attributes[place], stored.attributes[place]]);
-        bin.attributes[place] = match stronger.filter(|_| place >= config.continuous as usize) {
+        bin.attributes[place] = match stronger.as_ref().filter(|_| place >= config.continuous as usize) {
             Some(stronger) => {
-                let late = ["sample", "nearest"].into_iter().zip(others);
-                let late = late.map(|(of, other)| delay(m, &format!("{name}_of_{of}"), other, cycles));
-                let late = late.collect::<Vec<_>>();
-                let before = delay(m, &format!("rest_{name}_before"), of_rest, cycles);
-                stronger.mux(pass.mux(late[1], late[0]), before)
+                let late = of_each(others).map(|(of, other)| delay(m, &format!("{name}_of_{of}"), other, cycles));
+                stronger.choose(m, &name, of_rest, late)
             }
             None => {
-                let sums = ["sample", "nearest"]
-                    .into_iter()
-                    .zip(others)
+                let sums = of_each(others)
                     .map(|(of, other)| adder.sum(m, &format!("rest_{name}_and_{of}"), [of_rest, other], cycles));
-                let sums = sums.collect::<Vec<_>>();
-                joining.choose(m, &name, of_rest, [sums[0], sums[1]])
+                joining.choose(m, &name, of_rest, sums)
             }
         };
     }
