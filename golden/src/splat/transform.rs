@@ -49,8 +49,9 @@ impl Transform {
         let rotate = |[x, y, z]: [Number; 3]| matrix.map(|m| m[0] * x + m[1] * y + m[2] * z);
         let rotated = rotate(splat.center.map(number));
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
-        let motion = Motion { way: rotate(splat.motion.way.map(number)).map(Number::bits), part: splat.motion.part };
         let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
+
+        let turned = |Motion { way, part }| Motion { way: rotate(way.map(number)).map(Number::bits), part };
 
         let near = number(uniforms.near_plane);
         // More than both tangents together bring it forward, and exact: none is dropped for a rounding.
@@ -61,7 +62,7 @@ impl Transform {
         (near.is_below(center[2]) || reaches_beyond || may_come).then(|| Splat {
             center: center.map(Number::bits),
             tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
-            motion: if self.has_motion { motion } else { Motion::default() },
+            motion: if self.has_motion { turned(splat.motion) } else { Motion::default() },
             attributes: self.finite(splat.attributes),
             end: false,
         })
