@@ -47,13 +47,10 @@ fn place(
         manifests.insert(name.to_owned(), datapath.manifest);
         m.instance(name, datapath.module)
     };
+    let set_up = if config.has_motion() { motion_setup::datapath } else { setup::datapath };
     let instances = Instances {
         transform: datapath(m, "transform", transform::datapath(config, options)?),
-        setup: if config.has_motion() {
-            datapath(m, "setup", motion_setup::datapath(config, options)?)
-        } else {
-            datapath(m, "setup", setup::datapath(config, options)?)
-        },
+        setup: datapath(m, "setup", set_up(config, options)?),
         splitter: m.instance("splitter", splitter::module(config)),
         lanes: Lanes::place(m, config, options)?,
         normalizers: normalizers(m, config, normalizer::datapath(config, options)?, &mut manifests),
@@ -91,13 +88,7 @@ fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &
     units::transform::PORTS.model_view.feed(m, config, transform, uniforms.model_view);
     units::transform::PORTS.near_plane.feed_word(m, transform, uniforms.near_plane);
     if config.has_motion() {
-        units::motion_setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
-        units::motion_setup::PORTS.epsilon.feed(m, config, setup, uniforms.epsilon);
-        units::motion_setup::PORTS.near_plane.feed_word(m, setup, uniforms.near_plane);
-        for &normalizer in &instances.normalizers {
-            units::normalizer::PORTS.shutter.feed(m, config, normalizer, uniforms.shutter);
-        }
-        lanes.depth_a(m, uniforms.viewport.depth_a);
+        constants_of_motion(m, config, instances, uniforms);
         return;
     }
     units::setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
@@ -109,6 +100,18 @@ fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &
         units::setup::PORTS.filter_radius.feed_word(m, setup, uniforms.filter_radius);
         lanes.filter_scale(m, uniforms.filter_scale);
     }
+}
+
+/// Connects those that know of motion, where splats may move.
+fn constants_of_motion(m: &mut Module, config: &Config, instances: &Instances, uniforms: &Uniforms<Wires>) {
+    let Instances { setup, ref lanes, ref normalizers, .. } = *instances;
+    units::motion_setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
+    units::motion_setup::PORTS.epsilon.feed(m, config, setup, uniforms.epsilon);
+    units::motion_setup::PORTS.near_plane.feed_word(m, setup, uniforms.near_plane);
+    for &normalizer in normalizers {
+        units::normalizer::PORTS.shutter.feed(m, config, normalizer, uniforms.shutter);
+    }
+    lanes.depth_a(m, uniforms.viewport.depth_a);
 }
 
 /// Leads splats through the units, from one to the next.
