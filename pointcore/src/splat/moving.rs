@@ -33,7 +33,8 @@ pub struct MovingScene<'a> {
 }
 
 impl<'a> MovingScene<'a> {
-    /// A scene on hardware with so many bins, all else as `like` has it.
+    /// A scene on hardware with so many bins, all else as `like` has it. Such hardware has no screen filter: a splat that moves, and is smaller than
+    /// a pixel, leaves holes.
     ///
     /// # Errors
     /// There is no such hardware.
