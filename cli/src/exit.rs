@@ -99,6 +99,7 @@ const fn lab(error: &LabError) -> u8 {
         LabError::Generate(_) | LabError::Synthesis(_) | LabError::Mutation(_) => TOOL,
         LabError::Scene(_)
         | LabError::Plan(_)
+        | LabError::Render(_)
         | LabError::Configuration(_)
         | LabError::Picture(_)
         | LabError::File(_)

@@ -331,15 +331,98 @@ fn the_models_render_a_scene_and_leave_a_report() {
     }
 }
 
+/// A sphere that moves before a floor that does not.
+fn moving_scene() -> String {
+    let floor =
+        "[[object]]\nkind = \"plane\"\npoints = 196\nsize = 2\ntranslate = [0, -1, -1]\nrotate_degrees = [30, 0, 0]\n";
+    format!("{SCENE}motion = {{ velocity = [1, 0, 0] }}\n{floor}[shutter]\nopen = 0\nclose = 1\n")
+}
+
 #[test]
-fn a_moving_scene_is_rendered_in_f64_alone() {
+fn a_moving_scene_is_rendered_on_two_cores() {
+    let workplace = Workplace::new();
+    workplace.write("scene.toml", &moving_scene());
+    let run = ["run", "scene.toml", "--model", "golden", "--json"];
+    let report = json(&workplace.succeeds(&run));
+    assert_eq!((&report["time_bins"], &report["still"]["splats"]), (&Value::from(4), &Value::from(196)));
+    for (report, psnr_db) in [(&report, 40.0), (&report["still"], 50.0)] {
+        assert!(report["psnr_db"].as_f64().is_some_and(|found| found > psnr_db), "{report}");
+    }
+    let files = [
+        "frame.png",
+        "reference.png",
+        "difference.png",
+        "index.html",
+        "verilog/splat_top.v",
+        "verilog/still/splat_top.v",
+    ];
+    for file in files {
+        assert!(workplace.path().join("out/scene").join(file).is_file(), "{file} is missing");
+    }
+    let text = workplace.succeeds(&["plan", "scene.toml", "--set", "splatting.motion=bins:2"]);
+    for part in
+        ["what moves while the shutter is open", "`splatting.motion` is \"bins:2\"", "what stands still, 196 splats"]
+    {
+        assert!(text.contains(part), "`{part}` is missing in: {text}");
+    }
+    workplace.succeeds(&["gen", "scene.toml", "-o", "cores"]);
+    for (folder, bins) in [("cores", "time_bins = 4"), ("cores/still", "time_bins = 0")] {
+        let config = fs::read_to_string(workplace.path().join(folder).join("config.toml")).expect("it was written");
+        assert!(config.contains(bins), "{config}");
+    }
+    // On hardware for a larger image, as it is.
+    workplace.write(
+        "larger.toml",
+        "kind = \"splat\"\n[image]\nwidth = 512\nheight = 128\n[features]\ntime_bins = 4\nscreen_filter = \"off\"\n",
+    );
+    let given = json(&workplace.succeeds(&[&run[..], &["--config", "larger.toml", "-o", "given"]].concat()));
+    assert_eq!((&given["fragments"], &given["psnr_db"]), (&report["fragments"], &report["psnr_db"]));
+}
+
+#[test]
+fn motion_that_no_hardware_has_is_refused() {
+    let workplace = Workplace::new();
+    workplace.write("scene.toml", &moving_scene());
+    workplace.write("still.toml", "kind = \"splat\"\n");
+    workplace.write(
+        "small.toml",
+        "kind = \"splat\"\n[image]\nwidth = 64\nheight = 64\n[features]\ntime_bins = 2\nscreen_filter = \"off\"\n",
+    );
+    let cases: [(&[&str], &[&str]); 8] = [
+        (
+            &["run", "--set", "splatting.motion=exact"],
+            &["`splatting.motion` = \"exact\"", "bins:8", "--model reference"],
+        ),
+        (&["plan", "--set", "splatting.motion=gpu:2"], &["`splatting.motion` = \"gpu:2\"", "bins:8"]),
+        (&["gen", "-o", "cores", "--set", "splatting.motion=bins:3"], &["\"bins:3\"", "1, 2, 4, … up to 8"]),
+        (
+            &["run", "--set", "image.sampling=flipquad", "--set", "splatting.motion=bins:8"],
+            &["hardware with flipquad", "up to 4"],
+        ),
+        (
+            &["run", "--set", "overrides.time_bins=8"],
+            &["`overrides.time_bins` follows from the scene", "splatting.motion"],
+        ),
+        (&["run", "--config", "still.toml"], &["motion blur", "`time_bins` = 0", "set `time_bins = 4`"]),
+        (&["run", "--config", "small.toml"], &["`width` = 64", "2 bins each"]),
+        (&["run", "--normals"], &["--normals", "several surfaces"]),
+    ];
+    for (arguments, parts) in cases {
+        let arguments = [&arguments[..1], &["scene.toml"], &arguments[1..]].concat();
+        workplace.fails(WRONG_INPUT, &arguments, parts);
+    }
+    workplace.fails(
+        WRONG_INPUT,
+        &["plan", "scene.toml", "--luts", "50000"],
+        &["moves while the shutter is open", "no budget"],
+    );
+}
+
+#[test]
+fn a_moving_scene_is_rendered_in_f64() {
     let workplace = Workplace::new();
     let moving = format!("{SCENE}motion = {{ velocity = [1, 0, 0] }}\n[shutter]\nopen = 0\nclose = 1\n");
     workplace.write("scene.toml", &moving);
-    for model in ["rtl", "golden"] {
-        let parts = ["scene.toml", "motion blur", "--model reference"];
-        workplace.fails(WRONG_INPUT, &["run", "scene.toml", "--model", model], &parts);
-    }
     let run = |arguments: &[&str]| {
         json(&workplace.succeeds(&[&["run", "scene.toml", "--model", "reference", "--json"], arguments].concat()))
     };

@@ -10,6 +10,7 @@ use pointcore::plan::PlanError;
 use pointcore::process::ProcessError;
 use pointcore::scene::SceneError;
 use pointcore::search::{SearchError, WrongAnswer};
+use pointcore::splat::RenderError;
 use pointcore_tb::cache::FileError;
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
@@ -37,6 +38,9 @@ pub enum LabError {
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Lockstep(#[from] LockstepError),
+    /// A scene that is not rendered.
+    #[error(transparent)]
+    Render(RenderError),
     /// An operator on neighborhoods.
     #[error(transparent)]
     Process(#[from] ProcessError),
@@ -74,6 +78,18 @@ pub enum LabError {
 impl From<ElaborationError> for LabError {
     fn from(error: ElaborationError) -> Self {
         Self::Generate(error.into())
+    }
+}
+
+impl From<RenderError> for LabError {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Plan(error) => error.into(),
+            RenderError::Generate(error) => error.into(),
+            RenderError::Verilated(error) => error.into(),
+            RenderError::Lockstep(error) => error.into(),
+            other => Self::Render(other),
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::{BackEnd, BindingError, Scene};
 use pointcore::configuration::{self, Configuration};
 use pointcore::plan::Plan;
 use pointcore::shading;
-use pointcore::splat::{RenderSession, SplatReport, SplatRun};
+use pointcore::splat::{Drawn, RenderSession, SplatReport, SplatRun};
 use pointcore_tb::verilated::Trace;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -85,8 +85,7 @@ impl Render {
             memory: *session.memory(),
             fates: rendered.fates,
             counters: &outcome.counters,
-            frame: samples,
-            reference: &reference,
+            drawn: Drawn::Frame { frame: samples, reference: &reference },
             psnr_db: rendered.picture.psnr_db(&shading::picture(&reference, session.scene())),
             // A difference would end the run.
             mismatches: (self.back_end == BackEnd::VerilogInLockstep).then_some(0),

@@ -1,10 +1,10 @@
 //! What hardware for a scene may take.
 
-use super::{Failure, load, warn};
+use super::{Failure, moving_plan_on, plan_on, warn};
 use pointcore::area::device::{Device, Needs};
 use pointcore::area::estimate::Estimator;
 use pointcore::cost::budget::{Budget, BudgetError, Budgeted, Candidate};
-use pointcore::plan::Plan;
+use pointcore::plan::{MovingPlan, Plan};
 use pointcore::scene::Scene;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -33,12 +33,18 @@ impl BudgetArguments {
         path: &Path,
         settings: &[String],
         estimator: impl FnOnce() -> Result<Estimator, Failure>,
-    ) -> Result<(Scene, Plan, Vec<Candidate>), Failure> {
+    ) -> Result<Planned, Failure> {
         let Self { device, luts } = *self;
-        if !self.is_limited() {
-            return load(path, settings).map(|(scene, plan)| (scene, plan, vec![]));
-        }
         let scene = Scene::load(path, settings)?;
+        if !self.is_limited() {
+            return Ok(if scene.motion.is_some() {
+                let plan = moving_plan_on(path, &scene, None)?;
+                Planned::Moving(scene, plan)
+            } else {
+                let plan = plan_on(path, &scene, None)?;
+                Planned::Still(scene, plan, vec![])
+            });
+        }
         let budgeted = Budgeted::of(&scene, Budget { luts, device }, &estimator()?);
         let Budgeted { plan, tried } = budgeted.map_err(|error| match error {
             BudgetError::Plan(source) => Failure::Plan { path: path.to_owned(), source: Box::new(source) },
@@ -46,8 +52,16 @@ impl BudgetArguments {
             error @ BudgetError::TooSmall { .. } => Failure::Budget { path: path.to_owned(), source: Box::new(error) },
         })?;
         warn(path, &scene, &plan);
-        Ok((scene, plan, tried))
+        Ok(Planned::Still(scene, plan, tried))
     }
+}
+
+/// A scene with its hardware.
+pub enum Planned {
+    /// One in which nothing moves while the shutter is open, and what was tried within a budget.
+    Still(Scene, Plan, Vec<Candidate>),
+    /// One in which something does.
+    Moving(Scene, MovingPlan),
 }
 
 /// What was tried, a line each, the hardware that was chosen last.

@@ -1,12 +1,14 @@
 //! `pointcore gen SCENE|CONFIG -o DIR`.
 
-use super::budget::BudgetArguments;
+use super::budget::{BudgetArguments, Planned};
 use super::{Failure, Output, estimator, scene_name, write};
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
+use pointcore::plan::MovingPlan;
 use pointcore::scene::Model;
 use pointcore::wording::plain;
 use pointcore::{points, search, splat};
+use pointcore_contract::splat::Config as SplatConfig;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -34,14 +36,22 @@ pub struct Arguments {
 /// Tables of which every scene has one and no configuration has any.
 const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 
-/// The hardware for a scene.
-fn planned(arguments: &Arguments) -> Result<Configuration, Failure> {
-    let (_, plan, _) = arguments.budget.load(&arguments.source, &arguments.settings, estimator)?;
-    Ok(Configuration::Splat(plan.config))
+/// What stands still beside what moves: where its core goes, and what its name ends in.
+const STILL: &str = "still";
+
+/// The hardware for a scene, and for what stands still of one that moves.
+fn planned(arguments: &Arguments) -> Result<(Configuration, Option<SplatConfig>), Failure> {
+    let planned = arguments.budget.load(&arguments.source, &arguments.settings, estimator)?;
+    Ok(match planned {
+        Planned::Still(_, plan, _) => (Configuration::Splat(plan.config), None),
+        Planned::Moving(_, MovingPlan { moving, still }) => {
+            (Configuration::Splat(moving.config), still.map(|plan| plan.config))
+        }
+    })
 }
 
 /// Reads a configuration, from its own file or derived from a scene.
-fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
+fn configuration(arguments: &Arguments) -> Result<(Configuration, Option<SplatConfig>), Failure> {
     let path = &arguments.source;
     if Model::is_model(path) {
         return planned(arguments);
@@ -55,7 +65,7 @@ fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
         let message = "--set, --device and --luts choose hardware for scenes; edit the configuration file instead";
         return Err(Failure::Usage(message.to_owned()));
     }
-    Ok(configuration::parse(path, &text)?)
+    Ok((configuration::parse(path, &text)?, None))
 }
 
 /// Writes a package's files into a folder; returns them.
@@ -67,21 +77,25 @@ pub fn write_package(package: &Package, folder: &Path) -> Result<Vec<PathBuf>, F
     package.files().into_iter().map(write).collect()
 }
 
-/// Generates a core into a folder.
-pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    let name = scene_name(&arguments.source);
-    let (mut package, design) = match configuration(arguments)? {
+/// Writes a core's files into a folder; returns its top, and them.
+fn write_core(
+    arguments: &Arguments,
+    name: &str,
+    configuration: Configuration,
+    folder: &Path,
+) -> Result<(String, Vec<PathBuf>), Failure> {
+    let (mut package, design) = match configuration {
         Configuration::Splat(config) => {
             let core = splat::SplatCore::generate(&config)?;
-            (Package::splat(&name, &core, &config)?, core.design)
+            (Package::splat(name, &core, &config)?, core.design)
         }
         Configuration::Search(config) => {
             let core = search::SearchCore::generate(&config)?;
-            (Package::search(&name, &core, &config)?, core.design)
+            (Package::search(name, &core, &config)?, core.design)
         }
         Configuration::Points(config) => {
             let core = points::PointsCore::generate(&config)?;
-            (Package::points(&name, &core, &config)?, core.design)
+            (Package::points(name, &core, &config)?, core.design)
         }
     };
     if arguments.rust_hdl {
@@ -90,7 +104,19 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if arguments.split {
         package.add_modules(&design);
     }
-    let files = write_package(&package, &arguments.output)?;
+    let files = write_package(&package, folder)?;
+    Ok((package.top, files))
+}
+
+/// Generates a core into a folder, or the two of a scene in which some of it moves.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let name = scene_name(&arguments.source);
+    let (configuration, still) = configuration(arguments)?;
+    let (top, mut files) = write_core(arguments, &name, configuration, &arguments.output)?;
+    if let Some(config) = still {
+        let (name, folder) = (format!("{name}_{STILL}"), arguments.output.join(STILL));
+        files.extend(write_core(arguments, &name, Configuration::Splat(config), &folder)?.1);
+    }
     let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
-    output.print(&json!({ "top": package.top, "files": names }), &names.join("\n"))
+    output.print(&json!({ "top": top, "files": names }), &names.join("\n"))
 }

@@ -37,7 +37,7 @@ use pointcore::cost::budget::BudgetError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
-use pointcore::plan::{DepthLoss, Plan, PlanError};
+use pointcore::plan::{DepthLoss, MovingPlan, Plan, PlanError};
 use pointcore::process::ProcessError;
 use pointcore::process::check::Uncompared;
 use pointcore::scene::{Scene, SceneError};
@@ -190,16 +190,10 @@ pub fn estimator() -> Result<Estimator, Failure> {
     Ok(pointcore_lab::accuracy::estimator(Path::new(RECORD), &cache)?)
 }
 
-/// Loads a scene and derives its hardware.
+/// Loads a scene in which nothing moves while the shutter is open, and derives its hardware.
 pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
-    load_on(path, settings, None)
-}
-
-/// Loads a scene to be rendered on the hardware of a configuration file as it is, or else on its own.
-pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Result<(Scene, Plan), Failure> {
-    let config = config.map(Renderer::read).transpose()?;
     let scene = Scene::load(path, settings)?;
-    let plan = plan_on(path, &scene, config.as_ref())?;
+    let plan = plan_on(path, &scene, None)?;
     Ok((scene, plan))
 }
 
@@ -225,23 +219,34 @@ impl<'a> Renderer<'a> {
 
 /// The hardware that a loaded scene calls for, or that of a configuration if it is enough.
 pub fn plan_on(path: &Path, scene: &Scene, renderer: Option<&Renderer>) -> Result<Plan, Failure> {
-    let plan = match renderer {
-        None => Plan::of(scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?,
-        Some(Renderer { path: config, config: given }) => {
-            if !scene.overrides.is_empty() {
-                let keys: Vec<_> = scene.overrides.keys().map(|key| format!("overrides.{key}")).collect();
-                note!("ignored, for --config {} says the hardware: {}", config.display(), keys.join(", "));
-            }
-            let excluded = |source| Failure::Excluded {
-                path: path.to_owned(),
-                config: (*config).to_owned(),
-                source: Box::new(source),
-            };
-            Plan::on(scene, given).map_err(excluded)?
-        }
-    };
+    let plan = planned(path, scene, renderer, Plan::of, Plan::on)?;
     warn(path, scene, &plan);
     Ok(plan)
+}
+
+/// The same for a scene that moves; a configuration is for what moves.
+pub fn moving_plan_on(path: &Path, scene: &Scene, renderer: Option<&Renderer>) -> Result<MovingPlan, Failure> {
+    let plan = planned(path, scene, renderer, MovingPlan::of, MovingPlan::on)?;
+    warn(path, scene, &plan.moving);
+    Ok(plan)
+}
+
+fn planned<P>(
+    path: &Path,
+    scene: &Scene,
+    renderer: Option<&Renderer>,
+    of: impl FnOnce(&Scene) -> Result<P, PlanError>,
+    on: impl FnOnce(&Scene, &Config) -> Result<P, PlanError>,
+) -> Result<P, Failure> {
+    let Some(Renderer { path: config, config: given }) = renderer else {
+        return of(scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) });
+    };
+    if !scene.overrides.is_empty() {
+        let keys: Vec<_> = scene.overrides.keys().map(|key| format!("overrides.{key}")).collect();
+        note!("ignored, for --config {} says the hardware: {}", config.display(), keys.join(", "));
+    }
+    let (path, config) = (path.to_owned(), (*config).to_owned());
+    on(scene, given).map_err(|source| Failure::Excluded { path, config, source: Box::new(source) })
 }
 
 /// Says what will not look right.

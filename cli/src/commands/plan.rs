@@ -1,12 +1,12 @@
 //! `pointcore plan SCENE`.
 
-use super::budget::{BudgetArguments, tried};
+use super::budget::{BudgetArguments, Planned, tried};
 use super::{Failure, Output, load, scene_name};
 use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
 use pointcore::cost::budget::Candidate;
 use pointcore::cost::{Costs, Cycles, HardwareFigures, TABLE_HEAD, table_row};
-use pointcore::plan::Plan;
+use pointcore::plan::{MovingPlan, Plan};
 use pointcore::scene::{Scene, SceneError};
 use pointcore::splat::SplatCore;
 use pointcore_lab::accuracy::estimator;
@@ -90,14 +90,42 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let [path] = &arguments.scenes[..] else {
         return Err(Failure::Usage("several scenes go with --table".to_owned()));
     };
-    let (scene, plan, candidates) = arguments.budget.load(path, &arguments.settings, || arguments.estimator())?;
-    let (text, document) = explain(arguments, path, &scene, &plan, &candidates)?;
+    let planned = arguments.budget.load(path, &arguments.settings, || arguments.estimator())?;
+    let (text, document) = match &planned {
+        Planned::Still(scene, plan, candidates) => {
+            let heading = format!("{}: {} splats", path.display(), scene.splats.len());
+            explain(arguments, &heading, scene, plan, candidates)?
+        }
+        Planned::Moving(scene, plan) => explain_moving(arguments, path, scene, plan)?,
+    };
+    let Value::Object(mut document) = document else { unreachable!("a plan is an object") };
+    document.insert("scene".to_owned(), json!(path));
     output.print(&document, &text)
+}
+
+/// What moves, and what stands still beside it.
+fn explain_moving(
+    arguments: &Arguments,
+    path: &Path,
+    scene: &Scene,
+    plan: &MovingPlan,
+) -> Result<(String, Value), Failure> {
+    let heading = format!("{}: what moves while the shutter is open", path.display());
+    let (mut text, mut document) = explain(arguments, &heading, scene, &plan.moving, &[])?;
+    if let (Some(still), Some(plan)) = (scene.still_part(), &plan.still) {
+        let heading =
+            format!("{}: what stands still, {} splats, on a core of its own", path.display(), still.splats.len());
+        let (of_still, beside) = explain(arguments, &heading, &still, plan, &[])?;
+        text += "\n";
+        text += &of_still;
+        document["still"] = beside;
+    }
+    Ok((text, document))
 }
 
 fn explain(
     arguments: &Arguments,
-    path: &Path,
+    heading: &str,
     scene: &Scene,
     plan: &Plan,
     candidates: &[Candidate],
@@ -110,7 +138,7 @@ fn explain(
         Costs::of(scene, plan, Cycles::Untold, None)?
     };
 
-    let mut text = format!("{}: {} splats\n\n", path.display(), scene.splats.len());
+    let mut text = format!("{heading}\n\n");
     for choice in &plan.choices {
         _ = writeln!(text, "  {:22} {:14} {}", choice.part, choice.chosen, choice.reason);
     }
@@ -133,7 +161,6 @@ fn explain(
         _ = writeln!(text, "  {unit:22} {:>9} {:>9}", manifest.latency, manifest.initiation_interval);
     }
     let document = json!({
-        "scene": path,
         "splats": scene.splats.len(),
         "config": plan.config,
         "choices": plan.choices,

@@ -8,7 +8,9 @@ use pointcore::generated::verilate;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::shade;
-use pointcore::splat::{EncodedFrame, Fates, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble};
+use pointcore::splat::{
+    Drawn, EncodedFrame, Fates, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble,
+};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
@@ -96,8 +98,7 @@ impl Reported<'_> {
             memory: runner.memory,
             fates: Fates::of(&plan.config, runner.frame),
             counters: &outcome.counters,
-            frame: &rendered,
-            reference: &reference,
+            drawn: Drawn::Frame { frame: &rendered, reference: &reference },
             psnr_db: shade(&rendered, scene).psnr_db(&shade(&reference, scene)),
             mismatches,
             simulated_cycles_per_second: speed(outcome),
@@ -133,11 +134,12 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
     insert("hazard_fraction", report.hazard_fraction.into());
     insert("slot_wait_fraction", report.slot_wait_fraction.into());
     insert("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into());
-    insert("coverage_differences", report.coverage_differences.into());
-    insert("outcome_differences", report.outcome_differences.into());
-    insert("depth_test_differences", report.depth_test_differences.into());
-    insert("edge_differences", report.edge_differences.into());
-    insert("sum_differences", report.sum_differences.into());
+    let differences = report.differences.unwrap_or_default();
+    insert("coverage_differences", differences.coverage.into());
+    insert("outcome_differences", differences.outcome.into());
+    insert("depth_test_differences", differences.depth_test.into());
+    insert("edge_differences", differences.edge.into());
+    insert("sum_differences", differences.sum.into());
     Ok(())
 }
 

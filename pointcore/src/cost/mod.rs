@@ -104,7 +104,7 @@ impl Costs {
     /// A fault of the generator, or a frame that does not come to its end.
     pub fn of(scene: &Scene, plan: &Plan, cycles: Cycles, estimator: Option<&Estimator>) -> Result<Self, CostError> {
         let mut plans = vec![plan.clone(), plan.with_everything()];
-        for effect in Effect::ALL {
+        for &effect in plan.effects() {
             plans.extend([EffectExtent::Least, EffectExtent::Most].map(|extent| plan.at(effect, extent)));
         }
         let mut distinct: Vec<&Plan> = Vec::new();
@@ -121,12 +121,12 @@ impl Costs {
             found.expect("every configuration was measured").1
         };
         let (planned, everything) = (figures_of(&plans[0]), figures_of(&plans[1]));
-        let priced = |effect| Priced {
+        let priced = |&effect: &Effect| Priced {
             effect,
             cost: planned.minus(&figures_of(&plan.at(effect, EffectExtent::Least))),
             saved: figures_of(&plan.at(effect, EffectExtent::Most)).minus(&planned),
         };
-        Ok(Self { planned, everything, effects: Effect::ALL.map(priced).to_vec() })
+        Ok(Self { planned, everything, effects: plan.effects().iter().map(priced).collect() })
     }
 
     /// Planned hardware and hardware with everything in, without the prices of single effects.

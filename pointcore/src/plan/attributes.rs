@@ -28,21 +28,19 @@ pub(super) fn filter_conflict(scene: &Scene, rasterizer: RasterFormat) -> Option
     Some((*name, reason))
 }
 
-/// Indices of the attributes that differ between splats (at least one is carried), and the values of the others.
-pub(super) fn attributes(scene: &Scene) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
+/// The values of attributes that are the same for all splats in all frames; one is carried at least.
+pub(super) fn constants(scene: &Scene) -> [Option<f32>; CONTINUOUS_ATTRIBUTES] {
     // Splats that turn with the eye have another normal in another frame.
     let turns = scene.views.len() > 1 && !scene.sides.is_empty() && scene.is_lit();
-    let (_, mut constants) = differing(scene.splats.iter());
+    let mut constants = differing(scene.splats.iter());
     if turns {
         constants[NORMAL].fill(None);
     }
-    (varying(&constants), constants)
+    constants
 }
 
 /// The same of splats alone.
-pub(crate) fn differing<'a>(
-    splats: impl Iterator<Item = &'a Splat> + Clone,
-) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
+pub(super) fn differing<'a>(splats: impl Iterator<Item = &'a Splat> + Clone) -> [Option<f32>; CONTINUOUS_ATTRIBUTES] {
     let constant = |index: usize| {
         let mut values = splats.clone().map(|splat| splat.attributes[index]);
         let first = values.next()?;
@@ -52,9 +50,10 @@ pub(crate) fn differing<'a>(
     if constants.iter().all(Option::is_some) {
         constants[NORMAL.start] = None;
     }
-    (varying(&constants), constants)
+    constants
 }
 
-fn varying(constants: &[Option<f32>]) -> Vec<usize> {
+/// Indices of the attributes that are carried.
+pub(super) fn varying(constants: &[Option<f32>]) -> Vec<usize> {
     (0..constants.len()).filter(|&index| constants[index].is_none()).collect()
 }

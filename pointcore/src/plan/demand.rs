@@ -19,12 +19,15 @@
 
 use crate::number::{decode, encode};
 use crate::scene::Scene;
+use crate::splat::Front;
+use crate::splat::moving::{Lens, moving_record};
 use crate::uniforms::uniforms;
 use pointcore_contract::splat::config::{MEMORY_PORTS_MAX, TILE_SIZE};
 use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Sight, Splat as Record, SplatCopy};
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
+use pointcore_golden::reference::motion::MovingSplat;
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
 use pointcore_golden::splat::{Rasterizer, Setup, Slant, Splitter, Transform, rasterizer};
 use rayon::prelude::*;
@@ -124,6 +127,42 @@ impl Demand {
             .enumerate()
             .map(|(index, splat)| units.demand(index, splat))
             .reduce(Self::default, Self::sum)
+    }
+
+    /// What splats that move ask for, on hardware with near and far plane.
+    pub(super) fn of_moving(scene: &Scene, splats: &[MovingSplat], config: &Config) -> Self {
+        let front = Front::new(config, &uniforms(&scene.camera, &scene.rendering, config));
+        let lens = Lens::of(scene);
+        let of_splat = |(index, moving): (usize, &MovingSplat)| {
+            let widened = lens.widened(moving);
+            let filtered = usize::from(widened != moving.splat.tangents);
+            let record = moving_record(moving, widened, config);
+            let Some(Ok(drawn)) = front.set_up(&record) else {
+                return Self { load: Load { splats: 1, samples: 0 }, ..Self::default() };
+            };
+            // Where all of a splat's way lies between the planes, they are met never.
+            let [begin, end, _] = drawn.moving.footprint.planes.map(|time| decode(config.geometry, time));
+            let is_crossing = !(begin.is_infinite() && end.is_infinite());
+            Self {
+                filtered,
+                crossing: is_crossing.into(),
+                first_crossing: is_crossing.then_some(index),
+                ..Self::drawn(config, &drawn, front.copies(&drawn))
+            }
+        };
+        splats.par_iter().enumerate().map(of_splat).reduce(Self::default, Self::sum)
+    }
+
+    /// Of a splat that is drawn.
+    fn drawn(config: &Config, drawn: &SetupSplat, copies: impl Iterator<Item = SplatCopy>) -> Self {
+        let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
+        let columns =
+            |copy: &SplatCopy, row| rasterizer::columns(config.columns_a_pixel(), &copy.bounds, &copy.diagonals, row);
+        let visited = |copy: SplatCopy| rows(&copy).map(|row| columns(&copy, row).count()).sum::<usize>();
+        let (copies, samples) = copies.map(visited).fold((0, 0), |(count, sum), samples| (count + 1, sum + samples));
+        let ImageRectangle { left, right, top, bottom } = drawn.bounds;
+        let tiles = [[left, right], [top, bottom]].map(|range| range.map(|pixel| u32::from(pixel) / TILE_SIZE));
+        Self { drawn: 1, copies, load: Load { splats: 1, samples }, tiles: Some(tiles), ..Self::default() }
     }
 
     /// Of two frames, the greater of each figure, and the tiles of both.
@@ -248,29 +287,14 @@ impl<'a> Units<'a> {
         let footprint = Footprint { sight: Sight { disc: false, ..drawn.footprint.sight }, ..drawn.footprint };
         let covers_filter = self.covers_filter(&drawn, &slant)
             && self.without_filter.setup(&splat, &self.setup_uniforms) == Some(SetupSplat { footprint, ..drawn });
-        let ImageRectangle { left, right, top, bottom } = drawn.bounds;
-        let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
-        let tiles = [[left, right], [top, bottom]].map(|range| range.map(tile));
         let is_crossing = !slant.is_whole || self.lacks(&record, Some(&drawn)) || self.needs_side(&drawn);
         Demand {
             back_facing: 0,
             filtered: (!covers_filter).into(),
             crossing: is_crossing.into(),
             first_crossing: is_crossing.then_some(index),
-            drawn: 1,
-            copies: self.splitter.copies(&drawn).count(),
-            load: Load { splats: 1, samples: self.samples(&drawn) },
-            tiles: Some(tiles),
+            ..Demand::drawn(self.config, &drawn, self.splitter.copies(&drawn))
         }
-    }
-
-    /// Samples that the rasterizer visits.
-    fn samples(&self, drawn: &SetupSplat) -> usize {
-        let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
-        let columns = |copy: &SplatCopy, row| {
-            rasterizer::columns(self.config.columns_a_pixel(), &copy.bounds, &copy.diagonals, row).count()
-        };
-        self.splitter.copies(drawn).map(|copy| rows(&copy).map(|row| columns(&copy, row)).sum::<usize>()).sum()
     }
 
     /// Whether setup makes another splat of it, or one or none where it should not, without the part for near, far and eye plane.

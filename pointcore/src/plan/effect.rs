@@ -2,7 +2,7 @@
 
 use super::Plan;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::ATTRIBUTES_MAX;
+use pointcore_contract::splat::config::{ATTRIBUTES_MAX, TILE_SIZE};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use serde::Serialize;
 
@@ -24,6 +24,8 @@ pub enum Effect {
     HeapLevels,
     /// Tiles that are held at a time.
     TileSlots,
+    /// Bins of the exposure, where splats move.
+    TimeBins,
 }
 
 /// How much of an effect.
@@ -39,8 +41,8 @@ pub enum EffectExtent {
 const LEAST: u32 = 2;
 
 impl Effect {
-    /// All of them.
-    pub const ALL: [Self; 7] = [
+    /// Those of hardware on which splats stand still.
+    pub const STILL: [Self; 7] = [
         Self::Culling,
         Self::ScreenFilter,
         Self::EyePlane,
@@ -49,6 +51,10 @@ impl Effect {
         Self::HeapLevels,
         Self::TileSlots,
     ];
+
+    /// Those of hardware on which splats move, which culls and has no screen filter in any case.
+    pub const MOVING: [Self; 6] =
+        [Self::TimeBins, Self::EyePlane, Self::Continuous, Self::Cardinal, Self::HeapLevels, Self::TileSlots];
 
     /// What it is called.
     #[must_use]
@@ -61,6 +67,7 @@ impl Effect {
             Self::Cardinal => "cardinal attributes",
             Self::HeapLevels => "heap",
             Self::TileSlots => "tile slots",
+            Self::TimeBins => "motion",
         }
     }
 
@@ -75,12 +82,20 @@ impl Effect {
             Self::Cardinal => "cardinal",
             Self::HeapLevels => "heap_levels",
             Self::TileSlots => "tile_slots",
+            Self::TimeBins => "time_bins",
         }
     }
 }
 
 impl Plan {
-    /// The same hardware with another extent of one effect, or as it is where no hardware has so many attributes, or so few.
+    /// The effects that its hardware may have or not.
+    #[must_use]
+    pub const fn effects(&self) -> &'static [Effect] {
+        if self.config.has_motion() { &Effect::MOVING } else { &Effect::STILL }
+    }
+
+    /// The same hardware with another extent of one effect, or as it is where no hardware has so many attributes, or so few. Without bins of the
+    /// exposure it draws the still picture of the exposure's middle.
     #[must_use]
     pub fn at(&self, effect: Effect, extent: EffectExtent) -> Self {
         use pointcore_contract::splat::Feature::{Off, On};
@@ -107,6 +122,11 @@ impl Plan {
             Effect::Cardinal => config.cardinal = if is_most { config.cardinal.max(1) } else { 0 },
             Effect::HeapLevels => config.heap_levels = size(config.heap_levels, default.heap_levels),
             Effect::TileSlots => config.tile_slots = size(config.tile_slots, default.tile_slots),
+            Effect::TimeBins => {
+                let bins = if is_most { TILE_SIZE / config.sampling.columns() } else { 0 };
+                config.width = config.width / config.time_bins.max(1) * bins.max(1);
+                config.time_bins = bins;
+            }
         }
         if (1..=ATTRIBUTES_MAX).contains(&config.attributes()) {
             plan
@@ -118,6 +138,6 @@ impl Plan {
     /// The same frame on hardware with everything in: what leaving parts out is measured against.
     #[must_use]
     pub fn with_everything(&self) -> Self {
-        Effect::ALL.into_iter().fold(self.clone(), |plan, effect| plan.at(effect, EffectExtent::Most))
+        self.effects().iter().fold(self.clone(), |plan, &effect| plan.at(effect, EffectExtent::Most))
     }
 }

@@ -5,12 +5,25 @@ use pointcore_contract::splat::config::ConfigError;
 /// Hardware that does not fit a scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanError {
-    /// A scene that moves while the shutter is open.
+    /// A scene that moves while the shutter is open, where a still one is asked for.
     #[error(
-        "the scene moves while the shutter is open (`[shutter]`), and plans have no hardware for motion blur yet: render it by `pointcore run SCENE --model \
-         reference`, or take `[shutter]` and all `motion` tables out for a still picture"
+        "the scene moves while the shutter is open, and a still one is asked for: take `[shutter]` and all `motion` tables out; `run`, `plan` and `gen` know \
+         scenes that move, but no budget or table of several"
     )]
     Moving,
+    /// A way to settle what hides what of which there is no hardware.
+    #[error(
+        "`splatting.motion` = \"{method}\", but hardware{sampling} has 1, 2, 4, … up to {most} bins of the exposure: say \"bins:{most}\", or render by \
+         `pointcore run SCENE --model reference`"
+    )]
+    Method {
+        /// What the scene asks for.
+        method: String,
+        /// The most bins.
+        most: u32,
+        /// What limits them.
+        sampling: &'static str,
+    },
     /// A key of `[overrides]` that is no parameter of the hardware.
     #[error("`overrides.{key}` is unknown: expected one of {expected}")]
     Unknown {

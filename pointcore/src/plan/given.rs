@@ -1,11 +1,12 @@
 //! A scene on hardware that it was not planned for, and what no hardware may lack.
 
-use super::attributes::{attributes, filter_conflict, material_conflict};
+use super::attributes::{constants, filter_conflict, material_conflict, varying};
 use super::demand::Demand;
 use super::{Effect, Plan, PlanError, everything, has_materials, is_filtered};
 use crate::scene::Scene;
 use pointcore_contract::Rendering;
 use pointcore_contract::splat::{Config, Feature};
+use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use serde::Serialize;
 
 /// What a configuration lacks, or has against the scene's will.
@@ -26,84 +27,115 @@ impl Plan {
         if scene.motion.is_some() {
             return Err(PlanError::Moving);
         }
-        let excluded = |effect, reason: String, key, value: String, remedy: String| {
-            Err(PlanError::Excluded { effect, reason, key, value, remedy })
-        };
         if config.has_motion() {
             let (value, remedy) = (config.time_bins.to_string(), "set `time_bins = 0`".to_owned());
             return excluded("a still picture", "nothing in it moves".to_owned(), "time_bins", value, remedy);
         }
-        let image = [scene.rendering.width, scene.rendering.height];
-        for (key, edge, held) in [("width", image[0], config.width), ("height", image[1], config.height)] {
-            if edge > held as usize {
-                let reason = format!("its `image.{key}` comes to {edge} samples");
-                let remedy = format!("set `{key} = {edge}`, or a smaller `image.{key}`");
-                return excluded("a larger image", reason, key, held.to_string(), remedy);
-            }
-        }
-        let Rendering { sampling, depth, .. } = scene.rendering;
-        for (effect, is_held, key, scene_key, asked, held) in [
-            (
-                "another sampling",
-                sampling == config.sampling,
-                "sampling",
-                "image.sampling",
-                quoted(&sampling),
-                quoted(&config.sampling),
-            ),
-            (
-                "another depth of samples",
-                depth == config.depth,
-                "depth",
-                "splatting.depth",
-                quoted(&depth),
-                quoted(&config.depth),
-            ),
-        ] {
-            if !is_held {
-                let reason = format!("its `{scene_key}` is {asked}");
-                let remedy = format!("set `{key} = {asked}`, or the scene's `{scene_key} = {held}`");
-                return excluded(effect, reason, key, held, remedy);
-            }
-        }
-        let gamma = scene.rendering.kernel_gamma;
-        if gamma.to_bits() != config.kernel_gamma.to_bits() {
-            let (reason, value) = (format!("γ = {gamma}"), config.kernel_gamma.to_string());
-            let remedy = format!("set `kernel_gamma = {gamma:?}`, or the scene's `splatting.kernel_gamma = {value}`");
-            return excluded("another kernel", reason, "kernel_gamma", value, remedy);
-        }
-        let (attributes, constants) = attributes(scene);
-        let cardinal = u32::from(has_materials(scene));
-        for (effect, needed, held, remedy) in [
-            (Effect::Continuous, attributes.len() as u32, config.continuous, "more components the same for all splats"),
-            (Effect::Cardinal, cardinal, config.cardinal, "one `material` for all objects"),
-        ] {
-            if needed > held {
-                let reason = format!("{needed} of them differ between splats");
-                let remedy = format!("set `{} = {needed}`, or {remedy}", effect.key());
-                return excluded(effect.name(), reason, effect.key(), held.to_string(), remedy);
-            }
-        }
-        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
-            let remedy = "choose a wider format, or fewer materials".to_owned();
-            return excluded("more materials", reason, "attribute", format!("\"{value}\""), remedy);
-        }
-        if let Some((value, reason)) = filter_conflict(scene, config.raster_format()) {
-            let remedy = "choose a floating-point format, or another `splatting.filter_radius_px`".to_owned();
-            return excluded("another screen filter", reason, "rasterizer", format!("\"{value}\""), remedy);
-        }
-        let demand = Demand::of(scene, &everything(scene, config));
-        if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, config, &demand) {
-            let (right, name) = match value {
-                "off" => ("on", effect.name()),
-                _ => ("off", "no screen filter"),
-            };
-            let remedy = format!("set `{} = \"{right}\"`{alternative}", effect.key());
-            return excluded(name, reason, effect.key(), format!("\"{value}\""), remedy);
-        }
-        let (config, choices) = (config.clone(), Vec::new());
-        Ok(Self { config, image, attributes, constants, choices, is_filtered: is_filtered(scene) })
+        let plan = held(scene, config, constants(scene), has_materials(scene.splats.iter()))?;
+        plan.meeting(scene, &Demand::of(scene, &everything(scene, config)))
     }
+
+    /// The same, if the hardware has what splats demand.
+    pub(super) fn meeting(self, scene: &Scene, demand: &Demand) -> Result<Self, PlanError> {
+        let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &self.config, demand) else {
+            return Ok(self);
+        };
+        let (right, name) = match value {
+            "off" => ("on", effect.name()),
+            _ => ("off", "no screen filter"),
+        };
+        let remedy = format!("set `{} = \"{right}\"`{alternative}", effect.key());
+        excluded(name, reason, effect.key(), format!("\"{value}\""), remedy)
+    }
+}
+
+fn excluded<T>(
+    effect: &'static str,
+    reason: String,
+    key: &'static str,
+    value: String,
+    remedy: String,
+) -> Result<T, PlanError> {
+    Err(PlanError::Excluded { effect, reason, key, value, remedy })
+}
+
+/// A scene on hardware as it is, if that holds image, kernel and the attributes that differ between splats.
+pub(super) fn held(
+    scene: &Scene,
+    config: &Config,
+    constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
+    has_materials: bool,
+) -> Result<Plan, PlanError> {
+    let image = [scene.rendering.width, scene.rendering.height];
+    let bins = config.time_bins.max(1);
+    for (key, edge, held, bins) in [("width", image[0], config.width, bins), ("height", image[1], config.height, 1)] {
+        let needed = edge.saturating_mul(bins as usize);
+        if needed > held as usize {
+            let each = if bins > 1 { format!(" of {bins} bins each") } else { String::new() };
+            let reason = format!("its `image.{key}` comes to {edge} samples{each}");
+            let remedy = format!("set `{key} = {needed}`, or a smaller `image.{key}`");
+            return excluded("a larger image", reason, key, held.to_string(), remedy);
+        }
+    }
+    let Rendering { sampling, depth, .. } = scene.rendering;
+    for (effect, is_held, key, scene_key, asked, held) in [
+        (
+            "another sampling",
+            sampling == config.sampling,
+            "sampling",
+            "image.sampling",
+            quoted(&sampling),
+            quoted(&config.sampling),
+        ),
+        (
+            "another depth of samples",
+            depth == config.depth,
+            "depth",
+            "splatting.depth",
+            quoted(&depth),
+            quoted(&config.depth),
+        ),
+    ] {
+        if !is_held {
+            let reason = format!("its `{scene_key}` is {asked}");
+            let remedy = format!("set `{key} = {asked}`, or the scene's `{scene_key} = {held}`");
+            return excluded(effect, reason, key, held, remedy);
+        }
+    }
+    let gamma = scene.rendering.kernel_gamma;
+    if gamma.to_bits() != config.kernel_gamma.to_bits() {
+        let (reason, value) = (format!("γ = {gamma}"), config.kernel_gamma.to_string());
+        let remedy = format!("set `kernel_gamma = {gamma:?}`, or the scene's `splatting.kernel_gamma = {value}`");
+        return excluded("another kernel", reason, "kernel_gamma", value, remedy);
+    }
+    let attributes = varying(&constants);
+    let cardinal = u32::from(has_materials);
+    for (effect, needed, held, remedy) in [
+        (Effect::Continuous, attributes.len() as u32, config.continuous, "more components the same for all splats"),
+        (Effect::Cardinal, cardinal, config.cardinal, "one `material` for all objects"),
+    ] {
+        if needed > held {
+            let reason = format!("{needed} of them differ between splats");
+            let remedy = format!("set `{} = {needed}`, or {remedy}", effect.key());
+            return excluded(effect.name(), reason, effect.key(), held.to_string(), remedy);
+        }
+    }
+    if let Some((value, reason)) = material_conflict(scene, config.attribute) {
+        let remedy = "choose a wider format, or fewer materials".to_owned();
+        return excluded("more materials", reason, "attribute", format!("\"{value}\""), remedy);
+    }
+    if let Some((value, reason)) = filter_conflict(scene, config.raster_format()) {
+        let remedy = "choose a floating-point format, or another `splatting.filter_radius_px`".to_owned();
+        return excluded("another screen filter", reason, "rasterizer", format!("\"{value}\""), remedy);
+    }
+    Ok(Plan {
+        config: config.clone(),
+        image,
+        attributes,
+        constants,
+        choices: Vec::new(),
+        is_filtered: is_filtered(scene),
+    })
 }
 
 /// A name as a configuration says it.
@@ -129,7 +161,8 @@ pub(super) fn conflict(scene: &Scene, config: &Config, demand: &Demand) -> Optio
         return found(effect, "off", reason, "");
     }
     match filter {
-        Some(radius) if !config.screen_filter.is_on() && demand.filtered > 0 => {
+        // Of what moves, the host widens what is narrower.
+        Some(radius) if !config.screen_filter.is_on() && !config.has_motion() && demand.filtered > 0 => {
             let reason = format!("{} splats of the scene are narrower than its filter of {radius} px", demand.filtered);
             found(Effect::ScreenFilter, "off", reason, " or set `splatting.filter_radius_px = 0`")
         }

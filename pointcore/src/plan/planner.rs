@@ -1,13 +1,15 @@
 //! From what a scene asks for to hardware of one size or another.
 
-use super::attributes::{attributes, filter_conflict, material_conflict};
+use super::attributes::{constants, differing, filter_conflict, material_conflict, varying};
 use super::demand::Demand;
 use super::given::{Conflict, conflict};
 use super::overrides::overridden;
-use super::{Choice, Plan, PlanError, choices, everything, feature, has_materials, is_filtered};
+use super::{Choice, Plan, PlanError, choices, everything, feature, has_materials, is_filtered, moving};
 use crate::scene::Scene;
-use pointcore_contract::splat::Config;
+use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
+use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
+use pointcore_golden::reference::motion::MovingSplat;
 
 /// The most cycles that a splat may take in transform and setup.
 const INTERVAL_MAX: u32 = 16;
@@ -45,6 +47,9 @@ pub struct Planner<'a> {
     demand: Demand,
     attributes: Vec<usize>,
     constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
+    has_materials: bool,
+    /// Why the hardware has so many bins of the exposure, if it has any.
+    motion: Vec<Choice>,
 }
 
 impl<'a> Planner<'a> {
@@ -56,15 +61,7 @@ impl<'a> Planner<'a> {
         if scene.motion.is_some() {
             return Err(PlanError::Moving);
         }
-        let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
-        let config = Config {
-            width: edge(scene.rendering.width),
-            height: edge(scene.rendering.height),
-            sampling: scene.rendering.sampling,
-            depth: scene.rendering.depth,
-            kernel_gamma: scene.rendering.kernel_gamma,
-            ..Config::default()
-        };
+        let config = of_scene(scene, 0);
         // What a splat asks for depends on the number format.
         let asked = overridden(&config, overrides)?;
         asked.validate()?;
@@ -73,8 +70,33 @@ impl<'a> Planner<'a> {
             return Err(PlanError::Conflict { key: "rasterizer", value, reason, alternative });
         }
         let demand = Demand::of(scene, &everything(scene, &asked));
-        let (attributes, constants) = attributes(scene);
-        Ok(Self { scene, overrides, asked, config, demand, attributes, constants })
+        let constants = constants(scene);
+        let attributes = varying(&constants);
+        let has_materials = has_materials(scene.splats.iter());
+        let motion = Vec::new();
+        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, has_materials, motion })
+    }
+
+    /// Looks at what moves of a scene.
+    ///
+    /// # Errors
+    /// As [`MovingPlan::of`](super::MovingPlan::of), of what does not depend on the size.
+    pub(super) fn of_moving(
+        scene: &'a Scene,
+        splats: &[MovingSplat],
+        overrides: &'a toml::Table,
+    ) -> Result<Self, PlanError> {
+        let (time_bins, reason) = moving::time_bins(scene)?;
+        let config = of_scene(scene, time_bins);
+        let asked = overridden(&config, overrides)?;
+        asked.validate()?;
+        let everything = Config { eye_plane: Feature::On, ..asked.clone() };
+        let demand = Demand::of_moving(scene, splats, &everything);
+        let constants = differing(splats.iter().map(|moving| &moving.splat));
+        let has_materials = has_materials(splats.iter().map(|moving| &moving.splat));
+        let motion = moving::choices(scene, splats, &demand, time_bins, reason);
+        let attributes = varying(&constants);
+        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, has_materials, motion })
     }
 
     /// The size without a budget.
@@ -103,11 +125,10 @@ impl<'a> Planner<'a> {
     pub fn plan(&self, size: Size) -> Result<Plan, PlanError> {
         let Self { scene, overrides, ref demand, ref attributes, .. } = *self;
         let mut config = Config { rasterizers: size.rasterizers, ..self.config.clone() };
-        config.culling = feature(demand.back_facing > 0);
-        config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
+        let is_moving = config.has_motion();
         config.eye_plane = feature(demand.crossing > 0);
         config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
-        config.cardinal = has_materials(scene).into();
+        config.cardinal = self.has_materials.into();
         // A splat has two copies or so. A lane has its share of all of them.
         let levels = demand.copy_levels();
         let lane_levels = |count: usize| (count.max(1).ilog2() + 1).saturating_sub(config.rasterizer_bits());
@@ -117,10 +138,17 @@ impl<'a> Planner<'a> {
         config.heap_levels = fewer(levels.min(copies)).max(2);
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
-        let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
-        (config.transform_interval, config.setup_interval) = (interval, interval);
         config.memory_ports = demand.memory_ports(config.rasterizers);
-        let mut choices = choices(scene, &config, demand);
+        let mut choices = if is_moving {
+            config.transform_interval = MOTION_SETUP_INTERVAL;
+            self.motion.iter().cloned().chain(choices::of_any(scene, &config, demand)).collect()
+        } else {
+            config.culling = feature(demand.back_facing > 0);
+            config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
+            let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
+            (config.transform_interval, config.setup_interval) = (interval, interval);
+            choices::of_still(scene, &config, demand)
+        };
 
         config = overridden(&config, overrides)?;
         if let Some(value) = overrides.get("continuous").filter(|_| config.continuous < attributes.len() as u32) {
@@ -144,6 +172,22 @@ impl<'a> Planner<'a> {
         config.validate()?;
         let image = [scene.rendering.width, scene.rendering.height];
         let (attributes, constants) = (attributes.clone(), self.constants);
-        Ok(Plan { config, image, attributes, constants, choices, is_filtered: is_filtered(scene) })
+        Ok(Plan { config, image, attributes, constants, choices, is_filtered: !is_moving && is_filtered(scene) })
     }
+}
+
+/// What a configuration says as its scene does, with so many bins of the exposure.
+fn of_scene(scene: &Scene, time_bins: u32) -> Config {
+    let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
+    let still = Config {
+        width: edge(scene.rendering.width).saturating_mul(time_bins.max(1)),
+        height: edge(scene.rendering.height),
+        sampling: scene.rendering.sampling,
+        depth: scene.rendering.depth,
+        kernel_gamma: scene.rendering.kernel_gamma,
+        ..Config::default()
+    };
+    let is_moving = time_bins > 0;
+    let screen_filter = if is_moving { Feature::Off } else { still.screen_filter };
+    Config { time_bins, screen_filter, culling: Feature::On, ..still }
 }

@@ -58,9 +58,9 @@ pub(super) fn check(file: &SceneFile) -> Result<(), Fault> {
     }
 }
 
-/// How a moving scene settles what hides what: exactly, unless it says otherwise.
-fn method(splatting: &SplattingTable) -> Result<Method, Fault> {
-    let parsed = splatting.motion.as_deref().map_or(Ok(Method::Exact), str::parse);
+/// How a moving scene settles what hides what, if it says so.
+fn method(splatting: &SplattingTable) -> Result<Option<Method>, Fault> {
+    let parsed = splatting.motion.as_deref().map(str::parse::<Method>).transpose();
     parsed.map_err(|unknown| ("splatting.motion".to_owned(), unknown.to_string()))
 }
 

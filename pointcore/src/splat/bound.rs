@@ -4,6 +4,7 @@ use super::fates::Fates;
 use super::host::SplatCounters;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::Reordering;
+use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use serde::Serialize;
 
 /// Cycles between two copies in the reorder stage with lists: one is appended and one leaves in a tick.
@@ -33,17 +34,27 @@ pub fn copy_interval(config: &Config) -> u32 {
     order.max(config.payload_beats)
 }
 
+/// Cycles that a sample takes: one for each bin of the exposure.
+pub(super) const fn sample_interval(config: &Config) -> u32 {
+    if config.has_motion() { config.time_bins } else { 1 }
+}
+
+/// Cycles between two splats in setup.
+const fn setup_interval(config: &Config) -> u32 {
+    if config.has_motion() { MOTION_SETUP_INTERVAL } else { config.setup_interval }
+}
+
 /// Every resource of a frame that was run.
 #[must_use]
 pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [FrameBound; 7] {
     let times = |count: u64, interval: u32| count * u64::from(interval);
     let by_rasterizer = |cycles: u64| cycles.div_ceil(config.rasterizers.into());
     [
-        ("samples", by_rasterizer(counters.events.sample)),
+        ("samples", by_rasterizer(times(counters.events.sample, sample_interval(config)))),
         ("copies in the splitter", times(fates.copies, splitter_interval(config))),
         ("copies on their way to a rasterizer", by_rasterizer(times(fates.copies, copy_interval(config)))),
         ("splats in transform", times(fates.total(), config.transform_interval)),
-        ("splats in setup", times(fates.set_up, config.setup_interval)),
+        ("splats in setup", times(fates.set_up, setup_interval(config))),
         ("reconstruction buffer", counters.buffer.busy_cycles),
         ("memory of payloads", counters.payloads.busy_cycles),
     ]
@@ -72,12 +83,15 @@ mod tests {
             payloads: Traffic { busy_cycles: 48, ..Traffic::default() },
             ..SplatCounters::default()
         };
-        let cycles = |config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
+        let cycles = |config: &Config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
         assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64, 48]);
         let two = Config { rasterizers: 2, ..config.clone() };
         assert_eq!(cycles(&two)[..3], [50, 30, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };
         assert_eq!(cycles(&lists)[2], 60);
+        let moving = Config { time_bins: 4, ..lists.clone() };
         assert_eq!(cycles(&Config { payload_beats: 4, ..lists })[2], 120);
+        let moving = cycles(&moving);
+        assert_eq!((moving[0], moving[4]), (400, 12 * u64::from(MOTION_SETUP_INTERVAL)));
     }
 }

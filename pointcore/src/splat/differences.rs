@@ -2,6 +2,7 @@
 
 use pointcore_contract::splat::{AttributeFormat, Config};
 use pointcore_golden::reference::Frame;
+use serde::Serialize;
 
 /// Largest difference of an attribute that the rounding of one value explains. In coarse fixed point it is [more](rounding_limit), and that of
 /// sums of many samples [grows with them](sum_limit).
@@ -45,19 +46,31 @@ pub const DEPTH_ROUNDING: f64 = 16.0 / (1 << 24) as f64;
 /// are seen almost edge-on.
 pub const EDGE_ROUNDING: f64 = 1.0 / (1 << 14) as f64;
 
-/// How a frame differs from its reference.
-#[derive(Default)]
-pub(super) struct Differences {
+/// How a frame differs from its reference, in pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Differences {
+    /// Those that only one of both covers.
+    #[serde(rename = "coverage_differences")]
     pub coverage: u64,
+    /// Those covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
+    #[serde(rename = "material_differences")]
     pub material: u64,
+    /// Those covered by both whose attributes differ by more than the rounding of one value explains ([`rounding_limit`]).
+    #[serde(rename = "outcome_differences")]
     pub outcome: u64,
+    /// Of those, pixels where no test came near another outcome, and the rounding of their sums explains the difference ([`sum_limit`]).
+    #[serde(rename = "sum_differences")]
     pub sum: u64,
+    /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`] of another outcome.
+    #[serde(rename = "depth_test_differences")]
     pub depth_test: u64,
+    /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`] of the edge of its splat.
+    #[serde(rename = "edge_differences")]
     pub edge: u64,
 }
 
 impl Differences {
-    pub fn of(frame: &Frame, reference: &Frame, config: &Config) -> Self {
+    pub(super) fn of(frame: &Frame, reference: &Frame, config: &Config) -> Self {
         let limit = rounding_limit(config);
         let mut found = Self::default();
         let tests = reference.margins.iter().zip(&reference.decisions);
@@ -83,5 +96,28 @@ impl Differences {
             }
         }
         found
+    }
+
+    /// Why pixels differ by more than one rounding, in words.
+    fn explanation(&self) -> String {
+        let Self { outcome, depth_test, edge, sum, .. } = *self;
+        if outcome == 0 {
+            return "0".to_owned();
+        }
+        let unexplained = outcome - depth_test - edge - sum;
+        format!(
+            "{outcome}: in {depth_test} the stored depth lies within rounding of an end of the ε-band, in \
+             {edge} a sample within rounding of its splat's edge, so that a test came out differently; in {sum} \
+             the sums were rounded, no test; {unexplained} are unexplained"
+        )
+    }
+
+    /// The figures with their names, in words.
+    pub(super) fn rows(&self) -> [(&'static str, String); 3] {
+        [
+            ("pixels covered differently", self.coverage.to_string()),
+            ("pixels with another material", self.material.to_string()),
+            ("pixels that differ by more than one rounding", self.explanation()),
+        ]
     }
 }

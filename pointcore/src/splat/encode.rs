@@ -1,5 +1,6 @@
 //! A scene as the renderer takes it: splat records and uniform registers.
 
+use super::moving::{moving_records, shutter_weights};
 use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -27,12 +28,18 @@ pub struct EncodedFrame {
 }
 
 impl EncodedFrame {
-    /// Encodes what the planned hardware needs of a scene.
+    /// Encodes what the planned hardware needs of a scene; hardware with bins of the exposure is sent what moves.
     #[must_use]
     pub fn new(scene: &Scene, plan: &Plan) -> Self {
-        let splats = scene.splats.iter().map(|splat| splat_record(splat, plan));
-        let uniforms = uniforms(&scene.camera, &scene.rendering, &plan.config);
-        Self { records: splats.chain([END]).collect(), uniforms }
+        let mut uniforms = uniforms(&scene.camera, &scene.rendering, &plan.config);
+        let mut records = if plan.config.has_motion() {
+            uniforms.shutter = shutter_weights(scene, &plan.config);
+            moving_records(scene, plan)
+        } else {
+            scene.splats.iter().map(|splat| splat_record(splat, plan)).collect()
+        };
+        records.push(END);
+        Self { records, uniforms }
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::encode::EncodedFrame;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{SetupSplat, Splat, Uniforms};
+use pointcore_contract::splat::records::{SetupSplat, Splat, SplatCopy, Uniforms};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
-use pointcore_golden::splat::{Dropped, Setup, Splitter, Transform};
+use pointcore_golden::splat::{Dropped, MotionSetup, MotionUniforms, Setup, Splitter, Transform};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
@@ -29,30 +29,48 @@ pub struct Fates {
 }
 
 /// The models that decide on a frame's splats.
-struct Front {
+pub(crate) struct Front {
     transform: Transform,
     transform_uniforms: TransformUniforms,
-    setup: Setup,
-    setup_uniforms: SetupUniforms,
+    setup: EitherSetup,
     splitter: Splitter,
 }
 
+enum EitherSetup {
+    Still(Box<Setup>, SetupUniforms),
+    Moving(Box<MotionSetup>, MotionUniforms),
+}
+
 impl Front {
-    fn new(config: &Config, uniforms: &Uniforms) -> Self {
+    pub fn new(config: &Config, uniforms: &Uniforms) -> Self {
         let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = *uniforms;
+        let setup = if config.has_motion() {
+            let setup = MotionSetup::new(config, 1);
+            EitherSetup::Moving(Box::new(setup), MotionUniforms { viewport, epsilon, near_plane })
+        } else {
+            let uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
+            EitherSetup::Still(Box::new(Setup::new(config, 1)), uniforms)
+        };
         Self {
             transform: Transform::new(config, 1),
             transform_uniforms: TransformUniforms { model_view, near_plane },
-            setup: Setup::new(config, 1),
-            setup_uniforms: SetupUniforms { viewport, epsilon, near_plane, filter_radius },
+            setup,
             splitter: Splitter::new(config),
         }
     }
 
     /// What setup makes of a splat, if it gets there.
-    fn set_up(&self, splat: &Splat) -> Option<Result<SetupSplat, Dropped>> {
+    pub fn set_up(&self, splat: &Splat) -> Option<Result<SetupSplat, Dropped>> {
         let placed = self.transform.transform(splat, &self.transform_uniforms)?;
-        Some(self.setup.outcome(&placed, &self.setup_uniforms))
+        Some(match &self.setup {
+            EitherSetup::Still(setup, uniforms) => setup.outcome(&placed, uniforms),
+            EitherSetup::Moving(setup, uniforms) => setup.outcome(&placed, uniforms),
+        })
+    }
+
+    /// Its copies.
+    pub fn copies(&self, drawn: &SetupSplat) -> impl Iterator<Item = SplatCopy> {
+        self.splitter.copies(drawn)
     }
 }
 
@@ -62,7 +80,7 @@ pub fn copy_tiles(config: &Config, frame: &EncodedFrame) -> Vec<u32> {
     let front = Front::new(config, &frame.uniforms);
     let tiles = |splat: &Splat| -> Vec<u32> {
         let Some(Ok(drawn)) = front.set_up(splat) else { return Vec::new() };
-        front.splitter.copies(&drawn).map(|copy| copy.tile).collect()
+        front.copies(&drawn).map(|copy| copy.tile).collect()
     };
     frame.records.par_iter().filter(|record| !record.end).flat_map_iter(tiles).collect()
 }
@@ -75,7 +93,7 @@ impl Fates {
         let set_up = Self { set_up: 1, ..Self::default() };
         let fate = |splat: &Splat| match front.set_up(splat) {
             None => Self { near: 1, ..Self::default() },
-            Some(Ok(drawn)) => Self { drawn: 1, copies: front.splitter.copies(&drawn).count() as u64, ..set_up },
+            Some(Ok(drawn)) => Self { drawn: 1, copies: front.copies(&drawn).count() as u64, ..set_up },
             Some(Err(Dropped::Near)) => Self { near: 1, ..set_up },
             Some(Err(Dropped::Far)) => Self { far: 1, ..set_up },
             Some(Err(Dropped::Beside)) => Self { beside: 1, ..set_up },
@@ -84,7 +102,9 @@ impl Fates {
         frame.records.par_iter().filter(|record| !record.end).map(fate).reduce(Self::default, Self::sum)
     }
 
-    fn sum(self, other: Self) -> Self {
+    /// Both together.
+    #[must_use]
+    pub const fn sum(self, other: Self) -> Self {
         Self {
             drawn: self.drawn + other.drawn,
             copies: self.copies + other.copies,

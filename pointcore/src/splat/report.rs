@@ -1,10 +1,11 @@
 //! What a run says: figures with their definitions, as JSON and as a page to read.
 
-use super::bound::{FrameBound, bounds};
+use super::bound::{FrameBound, bounds, sample_interval};
 use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
 use super::payload_memory::payload_word_bytes;
+use crate::exposure::{Exposure, is_blank};
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::{Config, records};
 use pointcore_golden::reference::Frame;
@@ -28,6 +29,8 @@ pub struct SplatReport {
     pub height: u32,
     /// Outputs on which hardware and model differed; absent where they were not compared.
     pub mismatches: Option<u64>,
+    /// Bins of the exposure in each sample; 0 where nothing moves.
+    pub time_bins: u32,
     /// Cycles from the first splat to the end of the frame.
     pub cycles: u64,
     /// Cycles that every resource would take for the frame if it never waited.
@@ -48,11 +51,11 @@ pub struct SplatReport {
     pub cycles_per_sample: f64,
     /// Samples inside their splat, which reach the accumulator.
     pub accumulated: u64,
-    /// Samples evaluated for each that is inside its splat.
+    /// Samples evaluated for each that is inside its splat; where splats move, bins.
     pub visited_ratio: f64,
     /// Samples inside their splat for each splat drawn.
     pub samples_per_splat: f64,
-    /// Share of the image's samples that have a fragment.
+    /// Share of the image's samples, or of their bins of the exposure, that have a fragment.
     pub coverage: f64,
     /// Samples inside their splat for each fragment.
     pub overdraw: f64,
@@ -86,23 +89,65 @@ pub struct SplatReport {
     pub fragments: u64,
     /// Peak signal-to-noise ratio of the shaded picture against the f64 reference; absent where neither shows a splat.
     pub psnr_db: Option<f64>,
-    /// Pixels that only one of frame and reference covers.
-    pub coverage_differences: u64,
-    /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
-    pub material_differences: u64,
-    /// Pixels covered by both whose attributes differ by more than the rounding of one value explains
-    /// ([`rounding_limit`](super::rounding_limit)).
-    pub outcome_differences: u64,
-    /// Of those, pixels where no test came near another outcome, and the rounding of their sums explains the difference
-    /// ([`sum_limit`](super::sum_limit)).
-    pub sum_differences: u64,
-    /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`](super::DEPTH_ROUNDING) of
-    /// another outcome.
-    pub depth_test_differences: u64,
-    /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`](super::EDGE_ROUNDING) of the edge of its splat.
-    pub edge_differences: u64,
+    /// Pixels in which frame and reference differ; absent of an exposure, whose pixels are sums over time.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub differences: Option<Differences>,
     /// Cycles simulated in a second.
     pub simulated_cycles_per_second: f64,
+}
+
+/// What a run draws, beside the f64 reference.
+#[derive(Clone, Copy)]
+pub enum Drawn<'a> {
+    /// Surfaces in samples.
+    Frame {
+        /// The frame.
+        frame: &'a Frame,
+        /// The f64 reference.
+        reference: &'a Frame,
+    },
+    /// Light that comes in while the shutter is open.
+    Exposure {
+        /// Of hardware.
+        exposure: &'a Exposure,
+        /// Of the f64 reference.
+        reference: &'a Exposure,
+        /// What the hardware put out: a fragment for each bin of a sample in which anything moves.
+        fragments: u64,
+    },
+}
+
+impl Drawn<'_> {
+    /// Samples in a row, and rows.
+    fn size(&self) -> [usize; 2] {
+        match self {
+            Self::Frame { frame, .. } => [frame.width, frame.height],
+            Self::Exposure { exposure, .. } => [exposure.width, exposure.height],
+        }
+    }
+
+    fn fragments(&self) -> u64 {
+        match self {
+            Self::Frame { frame, .. } => frame.pixels.iter().flatten().count() as u64,
+            Self::Exposure { fragments, .. } => *fragments,
+        }
+    }
+
+    fn is_blank(&self) -> bool {
+        match self {
+            Self::Frame { frame, reference } => {
+                [frame, reference].iter().all(|frame| frame.pixels.iter().all(Option::is_none))
+            }
+            Self::Exposure { exposure, reference, .. } => is_blank(exposure) && is_blank(reference),
+        }
+    }
+
+    fn differences(&self, config: &Config) -> Option<Differences> {
+        match self {
+            Self::Frame { frame, reference } => Some(Differences::of(frame, reference, config)),
+            Self::Exposure { .. } => None,
+        }
+    }
 }
 
 /// The run behind a report.
@@ -119,10 +164,8 @@ pub struct SplatRun<'a> {
     pub fates: Fates,
     /// What the host counted.
     pub counters: &'a SplatCounters,
-    /// The frame.
-    pub frame: &'a Frame,
-    /// The f64 reference.
-    pub reference: &'a Frame,
+    /// What came of it.
+    pub drawn: Drawn<'a>,
     /// Of the shaded pictures.
     pub psnr_db: f64,
     /// Outputs that differed, where they were compared.
@@ -141,20 +184,21 @@ impl SplatReport {
         let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
         let word_bytes = u64::from(payload_word_bytes(run.config));
-        let differences = Differences::of(run.frame, run.reference, run.config);
         let bounds = bounds(run.config, &run.fates, run.counters);
         let bound = bounds.into_iter().max_by_key(|bound| bound.cycles).expect("a frame uses resources");
-        let fragments = run.frame.pixels.iter().flatten().count() as u64;
+        let (fragments, [width, height]) = (run.drawn.fragments(), run.drawn.size());
+        let interval = u64::from(sample_interval(run.config));
+        let (places, evaluated) = ((width * height) as u64 * interval, samples * interval);
         let Fates { drawn, copies, .. } = run.fates;
-        let is_comparable = [run.frame, run.reference].iter().any(|frame| frame.pixels.iter().any(Option::is_some));
         Self {
             scene: run.scene.to_owned(),
             engine: run.engine.to_owned(),
             splats: run.fates.total(),
             fates: run.fates,
-            width: run.frame.width as u32,
-            height: run.frame.height as u32,
+            width: width as u32,
+            height: height as u32,
             mismatches: run.mismatches,
+            time_bins: run.config.time_bins,
             cycles,
             bounds,
             bound,
@@ -165,16 +209,17 @@ impl SplatReport {
             samples,
             cycles_per_sample: ratio(cycles, samples),
             accumulated,
-            visited_ratio: ratio(samples, accumulated),
+            visited_ratio: ratio(evaluated, accumulated),
             samples_per_splat: ratio(accumulated, drawn),
-            coverage: ratio(fragments, run.frame.pixels.len() as u64),
+            coverage: ratio(fragments, places),
             overdraw: ratio(accumulated, fragments),
-            rasterizer_utilisation: share(samples),
+            rasterizer_utilisation: share(evaluated),
             accumulator_utilisation: share(accumulated),
             hazard_fraction: share(hazard),
             slot_wait_fraction: share(slot_wait),
             starved_fraction: share(starved),
-            blocked_fraction: share(blocked),
+            // While a sample's other bins are evaluated, the next waits.
+            blocked_fraction: share(blocked.saturating_sub(evaluated - samples)),
             buffer_read_bytes: buffer.read * pixel_bytes,
             buffer_write_bytes: buffer.written * pixel_bytes,
             buffer_moved_bytes: buffer.bytes,
@@ -183,29 +228,10 @@ impl SplatReport {
             payload_moved_bytes: payloads.bytes,
             memory: run.memory,
             fragments,
-            psnr_db: is_comparable.then_some(run.psnr_db),
-            coverage_differences: differences.coverage,
-            material_differences: differences.material,
-            outcome_differences: differences.outcome,
-            sum_differences: differences.sum,
-            depth_test_differences: differences.depth_test,
-            edge_differences: differences.edge,
+            psnr_db: (!run.drawn.is_blank()).then_some(run.psnr_db),
+            differences: run.drawn.differences(run.config),
             simulated_cycles_per_second: run.simulated_cycles_per_second,
         }
-    }
-
-    /// Why pixels differ by more than one rounding, in words.
-    fn explanation(&self) -> String {
-        let Self { outcome_differences, depth_test_differences, edge_differences, sum_differences, .. } = *self;
-        if outcome_differences == 0 {
-            return "0".to_owned();
-        }
-        let unexplained = outcome_differences - depth_test_differences - edge_differences - sum_differences;
-        format!(
-            "{outcome_differences}: in {depth_test_differences} the stored depth lies within rounding of an end of the ε-band, in \
-             {edge_differences} a sample within rounding of its splat's edge, so that a test came out differently; in {sum_differences} \
-             the sums were rounded, no test; {unexplained} are unexplained"
-        )
     }
 
     /// The figures with their names, in words.
@@ -221,6 +247,19 @@ impl SplatReport {
             Some(_) => "the pictures are equal".to_owned(),
             None => "nothing to compare: both pictures are empty".to_owned(),
         };
+        let (counted, visited) = match self.time_bins {
+            0 => ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
+            bins => {
+                let all = self.samples * u64::from(bins);
+                (
+                    "bins",
+                    format!(
+                        "{} visited; of their {all} bins {} are inside their splat",
+                        self.samples, self.accumulated
+                    ),
+                )
+            }
+        };
         let mut rows = vec![
             ("engine", self.engine.clone()),
             ("lockstep", compared),
@@ -234,10 +273,10 @@ impl SplatReport {
             ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.bound_fraction))),
             ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
             ("cycles per tile copy", format!("{:.2}", self.cycles_per_copy)),
-            ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
-            ("samples visited for each inside", format!("{:.3}", self.visited_ratio)),
-            ("samples inside for each splat drawn", format!("{:.2}", self.samples_per_splat)),
-            ("coverage, overdraw", format!("{} of the samples, {:.2}", percent(self.coverage), self.overdraw)),
+            ("samples", visited),
+            ("visited for each inside its splat", format!("{:.3}", self.visited_ratio)),
+            ("inside for each splat drawn", format!("{:.2}", self.samples_per_splat)),
+            ("coverage, overdraw", format!("{} of the {counted}, {:.2}", percent(self.coverage), self.overdraw)),
             ("cycles per sample", format!("{:.3}", self.cycles_per_sample)),
             ("rasterizer busy", percent(self.rasterizer_utilisation)),
             ("rasterizer without work", percent(self.starved_fraction)),
@@ -253,13 +292,11 @@ impl SplatReport {
             rows.push(("payloads read from memory", format!("{} bytes", self.payload_read_bytes)));
             rows.push(("payloads written to memory", format!("{} bytes", self.payload_write_bytes)));
         }
-        rows.extend([
-            ("PSNR against the f64 reference", psnr),
-            ("pixels covered differently", self.coverage_differences.to_string()),
-            ("pixels with another material", self.material_differences.to_string()),
-            ("pixels that differ by more than one rounding", self.explanation()),
-            ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
-        ]);
+        rows.push(("PSNR against the f64 reference", psnr));
+        if let Some(differences) = &self.differences {
+            rows.extend(differences.rows());
+        }
+        rows.push(("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)));
         rows
     }
 
@@ -280,13 +317,19 @@ impl SplatReport {
         format!("{latency_cycles} cycles latency, {bandwidth}{bursts}")
     }
 
+    /// The figures as a table in Markdown.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let rows = self.rows().into_iter();
+        rows.fold("| figure | value |\n|---|---|\n".to_owned(), |table, (name, value)| {
+            table + &format!("| {name} | {value} |\n")
+        })
+    }
+
     /// The report as Markdown.
     #[must_use]
     pub fn markdown(&self) -> String {
-        let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);
-        for (name, value) in self.rows() {
-            _ = writeln!(text, "| {name} | {value} |");
-        }
+        let mut text = format!("# {}\n\n{}", self.scene, self.table());
         text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";
         text +=
             "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";

@@ -4,9 +4,9 @@ use super::encode::EncodedFrame;
 use super::fates::Fates;
 use super::frame::assemble;
 use super::generate::SplatCore;
-use super::memory::ReconstructionBuffer;
-use super::run::{SplatOutcome, SplatRunner};
-use crate::generated::{GenerateError, Progress, verilate};
+use super::machine::Machine;
+use super::run::SplatOutcome;
+use crate::generated::{GenerateError, Progress};
 use crate::memory::{MemoryError, MemorySettings};
 use crate::picture::Picture;
 use crate::plan::{Plan, PlanError};
@@ -16,8 +16,7 @@ use crate::waveform::Waveform;
 use pointcore_contract::surface::{COLOR, NORMAL};
 use pointcore_golden::reference::{self, Frame, Mapping};
 use pointcore_tb::lockstep::{LockstepError, Stall};
-use pointcore_tb::verilated::{Library, Trace, VerilatedError};
-use std::sync::Arc;
+use pointcore_tb::verilated::{Trace, VerilatedError};
 
 /// What renders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,13 +106,7 @@ pub struct RenderedFrame {
 pub struct RenderSession {
     scene: Scene,
     plan: Plan,
-    core: SplatCore,
-    /// The verilated core, unless the golden model renders alone.
-    library: Option<Arc<Library>>,
-    engine: RenderEngine,
-    memory: MemorySettings,
-    stall: Stall,
-    seed: u64,
+    machine: Machine,
 }
 
 impl RenderSession {
@@ -131,16 +124,14 @@ impl RenderSession {
     /// # Errors
     /// Tools are missing or fail.
     pub fn on(scene: Scene, plan: Plan, engine: RenderEngine, trace: Trace) -> Result<Self, RenderError> {
-        let core = SplatCore::generate(&plan.config)?;
-        let library = if engine == RenderEngine::Golden { None } else { Some(verilate(&core.design, trace)?) };
-        let memory = ReconstructionBuffer::SETTINGS;
-        Ok(Self { scene, plan, core, library, engine, memory, stall: Stall::Never, seed: 1 })
+        let machine = Machine::new(&plan.config, engine, trace)?;
+        Ok(Self { scene, plan, machine })
     }
 
     /// Holds streams back at random, and chooses the hardware's uninitialized values.
     #[must_use]
     pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
-        (self.stall, self.seed) = (stall, seed);
+        (self.machine.stall, self.machine.seed) = (stall, seed);
         self
     }
 
@@ -150,14 +141,14 @@ impl RenderSession {
     /// No memory answers so.
     pub fn behind(mut self, memory: MemorySettings) -> Result<Self, RenderError> {
         memory.validate()?;
-        self.memory = memory;
+        self.machine.memory = memory;
         Ok(self)
     }
 
     /// The memory that holds the reconstruction buffer.
     #[must_use]
     pub const fn memory(&self) -> &MemorySettings {
-        &self.memory
+        &self.machine.memory
     }
 
     /// The scene, as of the frame rendered last.
@@ -175,7 +166,7 @@ impl RenderSession {
     /// The core.
     #[must_use]
     pub const fn core(&self) -> &SplatCore {
-        &self.core
+        &self.machine.core
     }
 
     /// Frames of the sequence.
@@ -206,16 +197,10 @@ impl RenderSession {
         self.scene.look(&view.ok_or(RenderError::Frame { index, frames: self.frames() })?);
         let (scene, plan) = (&self.scene, &self.plan);
         let frame = EncodedFrame::new(scene, plan);
-        let (config, stall, seed) = (&plan.config, self.stall, self.seed);
-        let runner = SplatRunner { memory: self.memory, stall, seed, progress, ..SplatRunner::new(config, &frame) };
-        let outcome = match (self.engine, &self.library) {
-            (RenderEngine::Hardware, Some(library)) => runner.hardware(library, waveform),
-            (RenderEngine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
-            _ => runner.golden(&self.core),
-        }?;
+        let outcome = self.machine.run(&frame, progress, waveform)?;
         let samples = assemble(plan, &scene.splats, &outcome.fragments);
         let (fragments, picture) = (fragments(scene, &samples), shading::picture(&samples, scene));
-        Ok(RenderedFrame { fragments, picture, fates: Fates::of(config, &frame), outcome, samples })
+        Ok(RenderedFrame { fragments, picture, fates: Fates::of(&plan.config, &frame), outcome, samples })
     }
 
     /// Renders all frames, one after the other.

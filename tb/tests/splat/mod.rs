@@ -129,7 +129,7 @@ pub fn moving_configs() -> [Config; 4] {
     };
     let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..full.clone() };
     let newton = Config { geometry: Format::F24.flushed(), division: Division::Newton, ..mixed };
-    [moving(bare, 4), moving(full, 2), moving(newton, 4), moving(Config { continuous: 3, ..fixed }, 1)]
+    [moving(bare, 8), moving(full, 2), moving(newton, 4), moving(Config { continuous: 3, ..fixed }, 1)]
 }
 
 /// Two more, with everything otherwise that trades accuracy for hardware: as coarse as can be, and in between.

@@ -1,5 +1,6 @@
 //! `pointcore run SCENE|MODEL`.
 
+mod moving;
 mod reference;
 mod results;
 
@@ -7,7 +8,7 @@ use super::memory::BusArguments;
 use super::progress::{with_progress, with_spinner};
 use super::results::Results;
 use super::simulation::{Engine, Simulated, SimulationArguments};
-use super::{Failure, Output, generate, load_on, numbers, scene_name, waveform};
+use super::{Failure, Output, Renderer, generate, moving_plan_on, numbers, plan_on, scene_name, waveform};
 use pointcore::package::Package;
 use pointcore::plan::Plan;
 use pointcore::scene::{FRAMES_LIMIT, Scene};
@@ -22,6 +23,9 @@ use std::path::{Path, PathBuf};
 const WAVEFORM: &str = "frame.fst";
 /// What not every run leaves behind.
 const OPTIONAL: [&str; 6] = [WAVEFORM, "frame.gtkw", "animation.png", "frames", "depth.pfm", "normals.pfm"];
+
+/// What is said of the first steps.
+const GENERATING: &str = "generating, verilating and compiling (cached for the next time)";
 
 /// Frames beyond which the mean of more is the same.
 const SAMPLES_IN_TIME_LIMIT: usize = 65536;
@@ -114,14 +118,15 @@ impl Arguments {
         self.output.clone().unwrap_or_else(|| Path::new("out").join(name))
     }
 
+    const fn trace(&self) -> Trace {
+        if self.simulation.is_traced() { Trace::On } else { Trace::Off }
+    }
+
     fn open(&self, scene: Scene, plan: Plan) -> Result<RenderSession, Failure> {
         if self.simulation.is_traced() && scene.views.len() > 1 {
             return Err(Failure::Usage(format!("--trace goes with one frame, but there are {}", scene.views.len())));
         }
-        let trace = if self.simulation.is_traced() { Trace::On } else { Trace::Off };
-        let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
-            RenderSession::on(scene, plan, self.engine().into(), trace)
-        });
+        let session = with_spinner(GENERATING, || RenderSession::on(scene, plan, self.engine().into(), self.trace()));
         let memory = self.memory.settings(ReconstructionBuffer::SETTINGS);
         Ok(session?.behind(memory)?.randomized(self.simulation.stall(), self.seed))
     }
@@ -133,7 +138,13 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if arguments.model == RunEngine::Reference {
         return reference::run(arguments, output);
     }
-    let (scene, plan) = load_on(&arguments.scene, &arguments.settings(), arguments.config.as_deref())?;
+    let renderer = arguments.config.as_deref().map(Renderer::read).transpose()?;
+    let scene = Scene::load(&arguments.scene, &arguments.settings())?;
+    if scene.motion.is_some() {
+        let plan = moving_plan_on(&arguments.scene, &scene, renderer.as_ref())?;
+        return moving::run(arguments, scene, plan, output);
+    }
+    let plan = plan_on(&arguments.scene, &scene, renderer.as_ref())?;
     let name = scene_name(&arguments.scene);
     let place = arguments.place(&name);
     let results = Results::begin(&place)?;

@@ -63,10 +63,11 @@ fn exposed(scene: &Scene, motion: &Motion, samples_in_time: Option<usize>) -> (O
         let step = || progress(done.fetch_add(1, Ordering::Relaxed) + 1);
         match samples_in_time {
             Some(count) => exposure::by_samples(scene, count, &step),
-            None => exposure::by_method(scene, &moving, motion.method, &step),
+            None => exposure::by_method(scene, &moving, motion.reference_method(), &step),
         }
     });
-    let method = samples_in_time.map_or_else(|| motion.method.to_string(), |count| format!("{count} samples in time"));
+    let method = samples_in_time
+        .map_or_else(|| motion.reference_method().to_string(), |count| format!("{count} samples in time"));
     let about = json!({
         "method": method,
         "splats": scene.splats.len(),

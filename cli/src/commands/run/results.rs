@@ -5,7 +5,9 @@ use super::super::{Failure, write};
 use pointcore::picture::{Animation, FloatImage};
 use pointcore::shading;
 use pointcore::splat::activity::Activity;
-use pointcore::splat::{FrameFigures, FramePictures, RenderSession, RenderedFrame, RunPage, SplatReport, SplatRun};
+use pointcore::splat::{
+    Drawn, FrameFigures, FramePictures, RenderSession, RenderedFrame, RunPage, SplatReport, SplatRun,
+};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -85,8 +87,7 @@ impl<'a> FrameResults<'a> {
             memory: *session.memory(),
             fates: frame.fates,
             counters: &frame.outcome.counters,
-            frame: &frame.samples,
-            reference: &reference,
+            drawn: Drawn::Frame { frame: &frame.samples, reference: &reference },
             psnr_db: frame.picture.psnr_db(&reference_picture),
             mismatches: self.engine.mismatches(),
             simulated_cycles_per_second: frame.outcome.simulated_cycles as f64 / frame.outcome.elapsed.as_secs_f64(),
@@ -98,11 +99,8 @@ impl<'a> FrameResults<'a> {
         }
         self.frames.push(FrameFigures::of(&report));
         if self.first.is_none() {
-            let save = |name: &str| self.folder.join(name);
             let pictures = FramePictures { frame: frame.picture.clone(), reference: reference_picture };
-            pictures.frame.save_png(&save("frame.png"))?;
-            pictures.reference.save_png(&save("reference.png"))?;
-            pictures.frame.difference(&pictures.reference, MAGNIFICATION).save_png(&save("difference.png"))?;
+            save_pictures(&pictures, self.folder)?;
             self.first = Some(FirstFrame { report, pictures, activity: frame.outcome.activity.clone() });
         }
         Ok(())
@@ -164,6 +162,7 @@ impl<'a> FrameResults<'a> {
             pictures: &pictures,
             activity: &activity,
             plan: session.plan(),
+            still: None,
             notes,
             sequence,
             animation: animation.as_deref(),
@@ -174,6 +173,14 @@ impl<'a> FrameResults<'a> {
             format!("{markdown}\nWritten to {}: {}; index.html tells more", self.place.display(), shown.display());
         Ok(Summary { fragments, document: json!(document), text })
     }
+}
+
+/// Writes frame, reference and their difference.
+pub(super) fn save_pictures(pictures: &FramePictures, folder: &Path) -> Result<(), Failure> {
+    let FramePictures { frame, reference } = pictures;
+    frame.save_png(&folder.join("frame.png"))?;
+    reference.save_png(&folder.join("reference.png"))?;
+    Ok(frame.difference(reference, MAGNIFICATION).save_png(&folder.join("difference.png"))?)
 }
 
 /// What was just written.

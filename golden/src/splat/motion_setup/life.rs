@@ -1,6 +1,6 @@
 //! When a moving splat is seen: while it faces the eye, some of it lies between near and far plane, and it is there at all.
 
-use super::{MotionSetup, MotionUniforms, Moving};
+use super::{Dropped, MotionSetup, MotionUniforms, Moving};
 use crate::number::Number;
 
 /// A splat's life.
@@ -13,7 +13,8 @@ pub(super) struct Life {
     pub reach: Number,
     /// Distance of the far plane.
     pub far: Number,
-    pub is_alive: bool,
+    /// Why there is none.
+    pub dropped: Option<Dropped>,
 }
 
 fn dot(a: [Number; 3], b: [Number; 3]) -> Number {
@@ -42,6 +43,14 @@ impl Life {
         let (begin, end) = (begins.max(enters), ends.min(leaves));
         let (first, last) = if is_approaching { (begin, end.min(inner)) } else { (begin.max(inner), end) };
         let origin = (first + last) * begin.of(0.5);
-        Self { begin, end, origin, reach, far, is_alive: begin.is_below(end) && first.is_below(last) }
+        let is_alive = begin.is_below(end) && first.is_below(last);
+        let middle = (part_begin + part_end) * begin.of(0.5);
+        let is_beyond_far = far.is_below(center[2] + middle * motion[2] - reach);
+        let reason = match () {
+            () if !begins.is_below(ends) => Dropped::Facing,
+            () if is_beyond_far => Dropped::Far,
+            () => Dropped::Near,
+        };
+        Self { begin, end, origin, reach, far, dropped: (!is_alive).then_some(reason) }
     }
 }

@@ -10,6 +10,7 @@ mod life;
 #[cfg(test)]
 mod tests;
 
+use super::Dropped;
 use super::parts::division::{recip, sqrt};
 use crate::datapath::{Datapath, Token};
 use crate::number::Number;
@@ -86,8 +87,16 @@ impl MotionSetup {
     /// The splat with footprint and bounds; `None` if it is dropped.
     #[must_use]
     pub fn setup(&self, splat: &Splat, uniforms: &MotionUniforms) -> Option<SetupSplat> {
+        self.outcome(splat, uniforms).ok()
+    }
+
+    /// The splat with footprint and bounds, or why it is never drawn.
+    ///
+    /// # Errors
+    /// As [`Dropped`] has it, all the time for which the splat is there.
+    pub fn outcome(&self, splat: &Splat, uniforms: &MotionUniforms) -> Result<SetupSplat, Dropped> {
         if splat.end {
-            return Some(SetupSplat { end: true, ..SetupSplat::default() });
+            return Ok(SetupSplat { end: true, ..SetupSplat::default() });
         }
         let vector = |bits: [u32; 3]| bits.map(|bits| self.number(bits));
         let Motion { way, part } = splat.motion;
@@ -98,14 +107,14 @@ impl MotionSetup {
             part: part.map(|bits| self.number(bits)),
         };
         let life = Life::of(self, &moving, uniforms);
-        if !life.is_alive {
-            return None;
+        if let Some(dropped) = life.dropped {
+            return Err(dropped);
         }
-        let (bounds, diagonals) = bounds::octagon(self, &moving, &life, uniforms)?;
+        let (bounds, diagonals) = bounds::octagon(self, &moving, &life, uniforms).ok_or(Dropped::Beside)?;
         let instant = Instant::of(self, &moving, life.origin, uniforms);
-        let footprint = self.footprint(&moving, &life, &instant, uniforms)?;
+        let footprint = self.footprint(&moving, &life, &instant, uniforms).ok_or(Dropped::Facing)?;
         let moving = records::Moving { footprint, epsilon: self.epsilon(&life, &instant, uniforms) };
-        Some(SetupSplat { moving, attributes: splat.attributes, bounds, diagonals, ..SetupSplat::default() })
+        Ok(SetupSplat { moving, attributes: splat.attributes, bounds, diagonals, ..SetupSplat::default() })
     }
 
     /// What evaluation needs; `None` of a splat seen edge-on.

@@ -3,6 +3,7 @@
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{CompleteCopy, DIAGONAL_BITS, LOCAL_BITS, TileDiagonals, TileRectangle};
 use pointcore_contract::splat::units::RasterizerEvents;
 use rtl::{Expr, Module, Reg, cat, lit};
@@ -114,7 +115,9 @@ impl Scanner {
         let second_ends = ends(bits, [left, right], &diagonals, top.add_lit(1));
         let following_ends = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
         let [next_begin, next_end] = self.next_ends;
-        let next_column = row_done.mux(next_begin, self.column.add_lit(1 << self.bin_bits));
+        // A tile as wide as a sample has no next column.
+        let step = (1 << self.bin_bits) % TILE_SIZE;
+        let next_column = row_done.mux(next_begin, self.column.add_lit(step.into()));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
         let new_row = advance & (load | row_done);
         m.next_if(self.column, advance, load.mux(first_ends[0], next_column));

@@ -31,8 +31,8 @@ const INSTANTS: usize = 9;
 pub struct Motion {
     /// How light counts over the exposure.
     pub shutter: Shutter,
-    /// How it is settled what hides what.
-    pub method: Method,
+    /// How it is settled what hides what; `None` where the scene leaves it open.
+    pub method: Option<Method>,
     /// When the shutter opens and closes, in seconds.
     exposure: [f64; 2],
     /// The splats of each object that moves, and its way through world space.
@@ -43,7 +43,7 @@ pub struct Motion {
 
 impl Motion {
     /// What of a checked scene moves; `spans` are the objects' discs. `None` where all stands still while the shutter is open.
-    pub(super) fn of(file: &SceneFile, spans: &[Range<usize>], method: Method) -> Option<Self> {
+    pub(super) fn of(file: &SceneFile, spans: &[Range<usize>], method: Option<Method>) -> Option<Self> {
         let shutter = file.shutter.as_ref()?;
         let exposure = [shutter.open, shutter.close];
         let moving = |table: &Option<MotionTable>, pivot: DVec3| {
@@ -59,6 +59,12 @@ impl Motion {
         let placement = Placement::WORLD;
         let is_moving = !objects.is_empty() || camera.is_some();
         is_moving.then_some(Self { shutter: shape, method, exposure, objects, camera, placement })
+    }
+
+    /// How f64 settles what hides what: exactly, unless the scene says otherwise.
+    #[must_use]
+    pub fn reference_method(&self) -> Method {
+        self.method.unwrap_or(Method::Exact)
     }
 
     /// The same, of splats that are placed so.
@@ -205,6 +211,21 @@ impl Scene {
             return self.splats.iter().cloned().map(MovingSplat::still).collect();
         };
         resample::moving_splats(self, motion)
+    }
+
+    /// What stands still for all of the exposure, if anything does, as a scene of its own.
+    #[must_use]
+    pub fn still_part(&self) -> Option<Self> {
+        let still = self.moving_splats().into_iter().filter(MovingSplat::is_still).map(|still| still.splat);
+        let splats: Vec<_> = still.collect();
+        // They have turned to the eye already.
+        (!splats.is_empty()).then(|| Self { splats, sides: Vec::new(), motion: None, ..self.clone() })
+    }
+
+    /// What moves, with the straight parts of its ways.
+    #[must_use]
+    pub fn moving_part(&self) -> Vec<MovingSplat> {
+        self.moving_splats().into_iter().filter(|moving| !moving.is_still()).collect()
     }
 
     /// Turns a splat to an eye if it is one that is seen from either side.

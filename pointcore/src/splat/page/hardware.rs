@@ -30,8 +30,8 @@ fn attributes(plan: &Plan) -> Vec<Vec<String>> {
     ATTRIBUTES.iter().enumerate().map(row).collect()
 }
 
-/// Adds the section.
-pub fn add(page: Page, plan: &Plan) -> Page {
+/// Adds the section of a plan.
+pub fn add(page: Page, title: &str, plan: &Plan) -> Page {
     let attributes = grid_of_text(&["attribute", "", "why"], &attributes(plan));
     if plan.choices.is_empty() {
         let config = &plan.config;
@@ -51,7 +51,7 @@ pub fn add(page: Page, plan: &Plan) -> Page {
         ];
         let html = grid_of_text(&["part", "", ""], &rows) + "<h3>Attributes</h3>\n" + &attributes;
         return page.section(
-            "Hardware",
+            title,
             "That of the configuration given, as it is: nothing was left out for the scene.",
             &html,
         );
@@ -65,5 +65,5 @@ pub fn add(page: Page, plan: &Plan) -> Page {
     }
     html += "<h3>Attributes</h3>\n";
     html += &attributes;
-    page.section("Hardware", "What the scene calls for and what it does without, as `pointcore plan` has it.", &html)
+    page.section(title, "What the scene calls for and what it does without, as `pointcore plan` has it.", &html)
 }

@@ -37,6 +37,15 @@ impl FramePictures {
     }
 }
 
+/// What stands still in a scene that moves, drawn by a core of its own.
+#[derive(Clone, Debug)]
+pub struct StillPart<'a> {
+    /// Its figures.
+    pub report: SplatReport,
+    /// Its hardware.
+    pub plan: &'a Plan,
+}
+
 /// What a page is made of.
 pub struct RunPage<'a> {
     /// The frame's figures.
@@ -47,6 +56,8 @@ pub struct RunPage<'a> {
     pub activity: &'a Activity,
     /// The hardware.
     pub plan: &'a Plan,
+    /// What stands still, where the page tells of what moves.
+    pub still: Option<&'a StillPart<'a>>,
     /// What is to be known of the scene.
     pub notes: &'a [String],
     /// All frames, if there are several; the page's frame is the first.
@@ -69,15 +80,22 @@ impl RunPage<'_> {
         let page = maps::add(page, self.activity);
         let page = timeline::add(page, self.activity, report);
         let page = page.section("Splats", &fates_sentence(report), &fates(report));
-        let page = hardware::add(page, self.plan);
+        let page = hardware::add(page, "Hardware", self.plan);
+        let page = match self.still {
+            Some(StillPart { report, plan }) => {
+                let sentence = "Another core draws it, and the host lays it behind what moves, of which the rest of this page tells.";
+                let page = page.section("What stands still", sentence, &report_table(report));
+                hardware::add(page, "Hardware for what stands still", plan)
+            }
+            None => page,
+        };
         let page = if self.notes.is_empty() {
             page
         } else {
             let items: String = self.notes.iter().map(|note| format!("<li>{}</li>\n", escape(note))).collect();
             page.section("To be known", "What was done to the model.", &format!("<ul>\n{items}</ul>"))
         };
-        let rows: Vec<_> = report.rows().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-        page.section("Report", "As in report.md and report.json.", &table(&rows))
+        page.section("Report", "As in report.md and report.json.", &report_table(report))
             .style(include_str!("page.css"))
             .script(include_str!("compare.js"))
             .html()
@@ -167,6 +185,11 @@ impl RunPage<'_> {
         let sentence = "All frames, as in animation.png. The rest of this page is about the first, as the figures of report.json are.";
         page.section("Sequence", sentence, &format!("{animation}{}", grid(&heads, &rows)))
     }
+}
+
+fn report_table(report: &SplatReport) -> String {
+    let rows: Vec<_> = report.rows().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    table(&rows)
 }
 
 fn fates_sentence(report: &SplatReport) -> String {

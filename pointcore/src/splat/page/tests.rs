@@ -1,7 +1,7 @@
 use super::*;
 use crate::scene::{Disc, Scene};
 use crate::splat::activity::{State, Unit};
-use crate::splat::{RenderEngine, RenderSession, RenderedFrame, SplatRun};
+use crate::splat::{Drawn, RenderEngine, RenderSession, RenderedFrame, SplatRun};
 use serde_json::Value;
 
 /// A wall of discs that cover each other, on hardware whose tile cache is too small for it.
@@ -26,8 +26,7 @@ fn report(session: &RenderSession, frame: &RenderedFrame) -> SplatReport {
         memory: *session.memory(),
         fates: frame.fates,
         counters: &frame.outcome.counters,
-        frame: &frame.samples,
-        reference: &session.reference(),
+        drawn: Drawn::Frame { frame: &frame.samples, reference: &session.reference() },
         psnr_db: 31.25,
         mismatches: None,
         simulated_cycles_per_second: 1.0,
@@ -43,6 +42,7 @@ fn html(session: &RenderSession, frame: &RenderedFrame) -> String {
         pictures: &pictures,
         activity: &frame.outcome.activity,
         plan: session.plan(),
+        still: None,
         notes: &["one point is <no> number".to_owned()],
         sequence: &[],
         animation: None,

@@ -1,0 +1,133 @@
+//! Hardware for a scene that moves while the shutter is open (thesis ch. 4): with bins of the exposure for what moves, and today's for what stands
+//! still.
+
+use super::attributes::differing;
+use super::choices::{fixed, of};
+use super::demand::Demand;
+use super::given::held;
+use super::planner::Planner;
+use super::{Choice, Effect, Plan, PlanError, has_materials};
+use crate::scene::Scene;
+use pointcore_contract::Sampling;
+use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
+use pointcore_contract::splat::{Config, Feature};
+use pointcore_golden::reference::motion::{Method, MovingSplat};
+
+/// Bins where the scene leaves it open: in the shipped scenes they err as little as a dozen still frames (docs/results.md).
+const BINS: u32 = 4;
+
+/// The hardware for a scene that moves.
+#[derive(Clone, Debug)]
+pub struct MovingPlan {
+    /// For what moves.
+    pub moving: Plan,
+    /// For what stands still, if anything does.
+    pub still: Option<Plan>,
+}
+
+impl MovingPlan {
+    /// Derives both from the scene, whose `[overrides]` have the last word on each.
+    ///
+    /// # Errors
+    /// As [`Plan::of`], and if the scene's `splatting.motion` is none that hardware has.
+    pub fn of(scene: &Scene) -> Result<Self, PlanError> {
+        let overrides = &scene.overrides;
+        let planner = Planner::of_moving(scene, &scene.moving_part(), overrides)?;
+        let moving = planner.plan(planner.size())?;
+        let still = scene.still_part().map(|still| Plan::with_overrides(&still, overrides)).transpose()?;
+        Ok(Self { moving, still })
+    }
+
+    /// What moves on given hardware as it is, and what stands still on its own.
+    ///
+    /// # Errors
+    /// The first effect that what moves calls for and the configuration excludes.
+    pub fn on(scene: &Scene, config: &Config) -> Result<Self, PlanError> {
+        let (time_bins, _) = time_bins(scene)?;
+        let splats = scene.moving_part();
+        let excluded = |effect, reason, value: u32, remedy| {
+            Err(PlanError::Excluded { effect, reason, key: "time_bins", value: value.to_string(), remedy })
+        };
+        if !config.has_motion() {
+            let reason = format!("{} of its splats move while the shutter is open", scene.splats.len());
+            return excluded("motion blur", reason, 0, format!("set `time_bins = {time_bins}`"));
+        }
+        if matches!(method(scene), Some(Method::Bins(_))) && time_bins != config.time_bins {
+            let reason = format!("its `splatting.motion` is \"bins:{time_bins}\"");
+            let remedy = format!(
+                "set `time_bins = {time_bins}`, or the scene's `splatting.motion = \"bins:{}\"`",
+                config.time_bins
+            );
+            return excluded("other bins of the exposure", reason, config.time_bins, remedy);
+        }
+        let each = || splats.iter().map(|moving| &moving.splat);
+        let constants = differing(each());
+        let plan = held(scene, config, constants, has_materials(each()))?;
+        let everything = Config { eye_plane: Feature::On, ..config.clone() };
+        let demand = Demand::of_moving(scene, &splats, &everything);
+        let moving = plan.meeting(scene, &demand)?;
+        let still = scene.still_part().map(|still| Plan::with_overrides(&still, &toml::Table::new())).transpose()?;
+        Ok(Self { moving, still })
+    }
+}
+
+fn method(scene: &Scene) -> Option<Method> {
+    scene.motion.as_ref().and_then(|motion| motion.method)
+}
+
+/// Bins of the exposure that hardware for a scene has, and why.
+pub(super) fn time_bins(scene: &Scene) -> Result<(u32, String), PlanError> {
+    // A pixel's samples, each with its bins, are in one tile.
+    let most = TILE_SIZE / scene.rendering.sampling.columns();
+    match method(scene) {
+        None => {
+            let reason = format!("`splatting.motion` leaves it open; \"bins:{most}\" errs less, and takes longer");
+            Ok((BINS, reason))
+        }
+        Some(Method::Bins(bins)) if bins.is_power_of_two() && bins as u32 <= most => {
+            Ok((bins as u32, format!("`splatting.motion` is \"bins:{bins}\"")))
+        }
+        Some(method) => {
+            let sampling = if scene.rendering.sampling == Sampling::Flipquad { " with flipquad" } else { "" };
+            Err(PlanError::Method { method: method.to_string(), most, sampling })
+        }
+    }
+}
+
+/// What was chosen for motion alone.
+pub(super) fn choices(
+    scene: &Scene,
+    splats: &[MovingSplat],
+    demand: &Demand,
+    time_bins: u32,
+    reason: String,
+) -> Vec<Choice> {
+    let parts = splats.len();
+    let filtered = demand.filtered;
+    let filter = match scene.rendering.filter_radius_px {
+        Some(radius) => format!(
+            "{filtered} of {parts} are narrower than the filter's {radius} px, and sent as ellipses that are not"
+        ),
+        None => "the scene switches it off".to_owned(),
+    };
+    let chosen = if filtered > 0 { "on the host" } else { "left out" };
+    vec![
+        of(Effect::TimeBins, format!("{time_bins} bins"), reason),
+        fixed(
+            "what moves",
+            &format!("{parts} splats"),
+            &format!("straight parts of the ways of splats that move, of {} in the scene", scene.splats.len()),
+        ),
+        fixed("screen filter", chosen, &filter),
+        fixed("back-face culling", "generated", "a splat that moves lives while it faces the eye"),
+        fixed(
+            "transform, setup",
+            &format!("{MOTION_SETUP_INTERVAL} cycles a splat"),
+            &format!(
+                "{parts} splats come beside {} samples, each of which takes the rasterizer {time_bins} cycles",
+                demand.load.samples / time_bins as usize
+            ),
+        ),
+    ]
+}

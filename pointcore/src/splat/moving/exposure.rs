@@ -1,0 +1,55 @@
+//! Fragments of bins of the exposure, before a still frame, as an exposed image.
+
+use crate::number::{decode, decode_attribute};
+use crate::plan::Plan;
+use crate::scene::Scene;
+use crate::shading;
+use pointcore_contract::splat::motion::TIME_FRACTION_BITS;
+use pointcore_contract::splat::records::{self, Attributes, Seen};
+use pointcore_golden::reference::motion::{Exposure, Place};
+use pointcore_golden::reference::{Fragment, Frame};
+
+/// What fragments expose, surface by surface, before a frame of what stands still: what lies behind that is not seen.
+#[must_use]
+pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still: Option<&Frame>) -> Exposure {
+    let rendering = &scene.rendering;
+    let shade = shading::colors(scene, &scene.camera);
+    let only_material = scene.moving_part().first().map_or(0, |moving| moving.splat.material);
+    let mut exposure = Exposure::dark(rendering);
+    for found in fragments {
+        let [column, row] = [found.column >> plan.config.bin_bits(), found.row].map(usize::from);
+        // Hardware for a larger image renders beyond it.
+        if column >= exposure.width || row >= exposure.height {
+            continue;
+        }
+        let (place, index) = (Place::new(column, row, rendering), row * exposure.width + column);
+        let Seen { share, rest_share, depth, ref attributes } = found.seen;
+        for (share, depth, attributes) in [(share, found.depth, &found.attributes), (rest_share, depth, attributes)] {
+            let surface = surface(plan, depth, attributes, only_material);
+            let hides = |still: &Fragment| still.depth < surface.depth - rendering.epsilon_bias;
+            if share > 0 && !still.and_then(|still| still.pixels[index].as_ref()).is_some_and(hides) {
+                let share = f64::from(share) / f64::from(1 << TIME_FRACTION_BITS);
+                exposure.samples[index].add(shade(&surface, place.position), share);
+            }
+        }
+    }
+    let Some(still) = still else { return exposure };
+    for (index, (sample, still)) in exposure.samples.iter_mut().zip(&still.pixels).enumerate() {
+        if let Some(still) = still {
+            let place = Place::new(index % exposure.width, index / exposure.width, rendering);
+            sample.add(shade(still, place.position), 1.0 - sample.coverage);
+        }
+    }
+    exposure
+}
+
+fn surface(plan: &Plan, depth: u32, bits: &Attributes, only_material: u16) -> Fragment {
+    let config = &plan.config;
+    let mut attributes = plan.constants.map(|constant| f64::from(constant.unwrap_or(0.0)));
+    for (&index, &bits) in plan.attributes.iter().zip(bits) {
+        attributes[index] = decode_attribute(config.attribute, bits).into();
+    }
+    let cardinals = &bits[config.continuous as usize..config.attributes() as usize];
+    let material = cardinals.first().map_or(only_material, |&material| material as u16);
+    Fragment { depth: decode(config.geometry, depth).into(), weight: 1.0, attributes, material }
+}
