@@ -33,17 +33,16 @@ impl BudgetArguments {
         path: &Path,
         settings: &[String],
         estimator: impl FnOnce() -> Result<Estimator, Failure>,
-    ) -> Result<Planned, Failure> {
+    ) -> Result<(Scene, Planned), Failure> {
         let Self { device, luts } = *self;
         let scene = Scene::load(path, settings)?;
         if !self.is_limited() {
-            return Ok(if scene.motion.is_some() {
-                let plan = moving_plan_on(path, &scene, None)?;
-                Planned::Moving(scene, plan)
+            let planned = if scene.motion.is_some() {
+                Planned::Moving(Box::new(moving_plan_on(path, &scene, None)?))
             } else {
-                let plan = plan_on(path, &scene, None)?;
-                Planned::Still(scene, plan, vec![])
-            });
+                Planned::Still(Box::new(plan_on(path, &scene, None)?), vec![])
+            };
+            return Ok((scene, planned));
         }
         let budgeted = Budgeted::of(&scene, Budget { luts, device }, &estimator()?);
         let Budgeted { plan, tried } = budgeted.map_err(|error| match error {
@@ -52,16 +51,16 @@ impl BudgetArguments {
             error @ BudgetError::TooSmall { .. } => Failure::Budget { path: path.to_owned(), source: Box::new(error) },
         })?;
         warn(path, &scene, &plan);
-        Ok(Planned::Still(scene, plan, tried))
+        Ok((scene, Planned::Still(Box::new(plan), tried)))
     }
 }
 
-/// A scene with its hardware.
+/// Hardware for a scene.
 pub enum Planned {
-    /// One in which nothing moves while the shutter is open, and what was tried within a budget.
-    Still(Scene, Plan, Vec<Candidate>),
-    /// One in which something does.
-    Moving(Scene, MovingPlan),
+    /// In which nothing moves while the shutter is open, and what was tried within a budget.
+    Still(Box<Plan>, Vec<Candidate>),
+    /// In which something does.
+    Moving(Box<MovingPlan>),
 }
 
 /// What was tried, a line each, the hardware that was chosen last.

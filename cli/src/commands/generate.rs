@@ -41,10 +41,11 @@ const STILL: &str = "still";
 
 /// The hardware for a scene, and for what stands still of one that moves.
 fn planned(arguments: &Arguments) -> Result<(Configuration, Option<SplatConfig>), Failure> {
-    let planned = arguments.budget.load(&arguments.source, &arguments.settings, estimator)?;
+    let (_, planned) = arguments.budget.load(&arguments.source, &arguments.settings, estimator)?;
     Ok(match planned {
-        Planned::Still(_, plan, _) => (Configuration::Splat(plan.config), None),
-        Planned::Moving(_, MovingPlan { moving, still }) => {
+        Planned::Still(plan, _) => (Configuration::Splat(plan.config), None),
+        Planned::Moving(plan) => {
+            let MovingPlan { moving, still } = *plan;
             (Configuration::Splat(moving.config), still.map(|plan| plan.config))
         }
     })

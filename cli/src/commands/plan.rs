@@ -90,13 +90,13 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let [path] = &arguments.scenes[..] else {
         return Err(Failure::Usage("several scenes go with --table".to_owned()));
     };
-    let planned = arguments.budget.load(path, &arguments.settings, || arguments.estimator())?;
+    let (scene, planned) = arguments.budget.load(path, &arguments.settings, || arguments.estimator())?;
     let (text, document) = match &planned {
-        Planned::Still(scene, plan, candidates) => {
+        Planned::Still(plan, candidates) => {
             let heading = format!("{}: {} splats", path.display(), scene.splats.len());
-            explain(arguments, &heading, scene, plan, candidates)?
+            explain(arguments, &heading, &scene, plan, candidates)?
         }
-        Planned::Moving(scene, plan) => explain_moving(arguments, path, scene, plan)?,
+        Planned::Moving(plan) => explain_moving(arguments, path, &scene, plan)?,
     };
     let Value::Object(mut document) = document else { unreachable!("a plan is an object") };
     document.insert("scene".to_owned(), json!(path));
