@@ -37,8 +37,7 @@ enum Part {
     /// The renderer: what leaving out saves that a scene does not call for.
     Effects,
     /// Motion blur: what its units make of random splats, beside f64 and in lockstep; how far each method in f64, and the
-    /// golden model of hardware with four bins, is from many samples in time, with a table and strips of pictures in a folder `motion-bench` beside the
-    /// output.
+    /// golden models of hardware, are from many samples in time, with tables and strips of pictures in a folder `motion-bench` beside the output.
     Motion,
     /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,

@@ -28,8 +28,8 @@ const METHODS: [Method; 9] = [
     Method::Passes(4),
     Method::Passes(8),
 ];
-/// What a strip shows, from left to right, behind the truth.
-const SHOWN: [Method; 3] = [Method::Exact, Method::Bins(4), Method::Passes(1)];
+/// What a strip shows, from left to right, behind the truth and before what hardware with the most bins draws.
+const SHOWN: [Method; 5] = [Method::Exact, Method::Bins(2), Method::Bins(4), Method::Bins(8), Method::Passes(1)];
 /// Samples in time of the truth.
 const TRUE_SAMPLES: usize = 256;
 /// How many samples in time are tried, from the fewest up, until they err as little as a method.
@@ -122,6 +122,7 @@ pub fn figures(folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
         let still = still_cycles(&scene)?;
         figures.insert(format!("motion.{name}.cycles.still"), still.into());
         let runs = HARDWARE_BINS.par_iter().map(|&bins| exposed(&scene, bins)).collect::<Result<Vec<_>, LabError>>()?;
+        let mut drawn = Vec::new();
         for (bins, run) in HARDWARE_BINS.iter().zip(runs) {
             let Run { picture, cycles, bins_cycles, samples } = run;
             let measured = Measured::new(&truth, || picture);
@@ -149,10 +150,13 @@ pub fn figures(folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
                 measured.flip,
                 bins_cycles as f64 / samples as f64,
             );
+            drawn.push(measured.picture);
         }
         // The table so far, which makes the folder, too.
         write(&folder.join("README.md"), &format!("{table}\n{on_hardware}"))?;
-        save_strip(&scene, &truth, &methods, &folder.join(format!("motion_{name}.png")))?;
+        let shown = SHOWN.iter().filter_map(|method| METHODS.iter().position(|other| other == method));
+        let shown: Vec<_> = shown.map(|index| &methods[index].picture).chain(drawn.last()).collect();
+        save_strip(&scene, &truth, &shown, &folder.join(format!("motion_{name}.png")))?;
     }
     Ok(())
 }
@@ -188,11 +192,9 @@ fn still_cycles(scene: &Scene) -> Result<u64, LabError> {
     Ok(RenderSession::open(still, RenderEngine::Golden)?.frame(0)?.outcome.counters.cycles)
 }
 
-/// Above, the truth and the methods' pictures; below, the still picture of the middle of the exposure, and the methods' differences from the truth.
-fn save_strip(scene: &Scene, truth: &Picture, methods: &[Measured], path: &Path) -> Result<(), LabError> {
+/// Above, the truth and pictures to be shown beside it; below, the still picture of the middle of the exposure, and their differences from the truth.
+fn save_strip(scene: &Scene, truth: &Picture, shown: &[&Picture], path: &Path) -> Result<(), LabError> {
     let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    let shown = |method: &Method| METHODS.iter().position(|other| other == method).map(|index| &methods[index].picture);
-    let shown: Vec<_> = SHOWN.iter().filter_map(shown).collect();
     let above: Vec<_> = std::iter::once(truth).chain(shown.iter().copied()).cloned().collect();
     let differences = shown.iter().map(|picture| picture.difference(truth, MAGNIFICATION));
     let below: Vec<_> = std::iter::once(shading::picture(&frame, scene)).chain(differences).collect();
@@ -203,7 +205,7 @@ fn save_strip(scene: &Scene, truth: &Picture, methods: &[Measured], path: &Path)
             pictures.iter().flat_map(pixels).collect::<Vec<_>>()
         })
     });
-    let strip = Picture { width: width * (1 + SHOWN.len()), height: 2 * height, pixels: rows.collect() };
+    let strip = Picture { width: width * (1 + shown.len()), height: 2 * height, pixels: rows.collect() };
     save_small(&strip, path)
 }
 
