@@ -344,7 +344,7 @@ fn a_moving_scene_is_rendered_on_two_cores() {
     workplace.write("scene.toml", &moving_scene());
     let run = ["run", "scene.toml", "--model", "golden", "--json"];
     let report = json(&workplace.succeeds(&run));
-    assert_eq!((&report["time_bins"], &report["still"]["splats"]), (&Value::from(4), &Value::from(196)));
+    assert_eq!((&report["time_bins"], &report["still"]["splats"]), (&Value::from(8), &Value::from(196)));
     for (report, psnr_db) in [(&report, 40.0), (&report["still"], 50.0)] {
         assert!(report["psnr_db"].as_f64().is_some_and(|found| found > psnr_db), "{report}");
     }
@@ -366,14 +366,14 @@ fn a_moving_scene_is_rendered_on_two_cores() {
         assert!(text.contains(part), "`{part}` is missing in: {text}");
     }
     workplace.succeeds(&["gen", "scene.toml", "-o", "cores"]);
-    for (folder, bins) in [("cores", "time_bins = 4"), ("cores/still", "time_bins = 0")] {
+    for (folder, bins) in [("cores", "time_bins = 8"), ("cores/still", "time_bins = 0")] {
         let config = fs::read_to_string(workplace.path().join(folder).join("config.toml")).expect("it was written");
         assert!(config.contains(bins), "{config}");
     }
     // On hardware for a larger image, as it is.
     workplace.write(
         "larger.toml",
-        "kind = \"splat\"\n[image]\nwidth = 512\nheight = 128\n[features]\ntime_bins = 4\nscreen_filter = \"off\"\n",
+        "kind = \"splat\"\n[image]\nwidth = 128\nheight = 128\n[features]\ntime_bins = 8\nscreen_filter = \"off\"\n",
     );
     let given = json(&workplace.succeeds(&[&run[..], &["--config", "larger.toml", "-o", "given"]].concat()));
     assert_eq!((&given["fragments"], &given["psnr_db"]), (&report["fragments"], &report["psnr_db"]));
@@ -386,9 +386,9 @@ fn motion_that_no_hardware_has_is_refused() {
     workplace.write("still.toml", "kind = \"splat\"\n");
     workplace.write(
         "small.toml",
-        "kind = \"splat\"\n[image]\nwidth = 64\nheight = 64\n[features]\ntime_bins = 2\nscreen_filter = \"off\"\n",
+        "kind = \"splat\"\n[image]\nwidth = 32\nheight = 64\n[features]\ntime_bins = 2\nscreen_filter = \"off\"\n",
     );
-    let cases: [(&[&str], &[&str]); 8] = [
+    let cases: [(&[&str], &[&str]); 7] = [
         (
             &["run", "--set", "splatting.motion=exact"],
             &["`splatting.motion` = \"exact\"", "bins:8", "--model reference"],
@@ -396,15 +396,11 @@ fn motion_that_no_hardware_has_is_refused() {
         (&["plan", "--set", "splatting.motion=gpu:2"], &["`splatting.motion` = \"gpu:2\"", "bins:8"]),
         (&["gen", "-o", "cores", "--set", "splatting.motion=bins:3"], &["\"bins:3\"", "1, 2, 4, … up to 8"]),
         (
-            &["run", "--set", "image.sampling=flipquad", "--set", "splatting.motion=bins:8"],
-            &["hardware with flipquad", "up to 4"],
-        ),
-        (
             &["run", "--set", "overrides.time_bins=8"],
             &["`overrides.time_bins` follows from the scene", "splatting.motion"],
         ),
-        (&["run", "--config", "still.toml"], &["motion blur", "`time_bins` = 0", "set `time_bins = 4`"]),
-        (&["run", "--config", "small.toml"], &["`width` = 64", "2 bins each"]),
+        (&["run", "--config", "still.toml"], &["motion blur", "`time_bins` = 0", "set `time_bins = 8`"]),
+        (&["run", "--config", "small.toml"], &["`width` = 32", "set `width = 64`"]),
         (&["run", "--normals"], &["--normals", "several surfaces"]),
     ];
     for (arguments, parts) in cases {

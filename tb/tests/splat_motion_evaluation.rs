@@ -24,7 +24,9 @@ fn places(config: &Config) -> Vec<MovingPlace> {
             let footprint = MovingFootprint::new(&moved.splat, &camera, &rendering).ok()?.encoded(config.geometry);
             let (last, slot) = (random.u8(0..8) == 0, random.u8(0..config.tile_slots as u8));
             let (column, row) = (moved.place.column as u16, moved.place.row as u16);
-            Some(MovingPlace { last, slot, column, row, footprint })
+            let bin = (moved.splat.part.middle() + 1.0) * 0.5 * f64::from(config.time_bins);
+            let odd_bin = bin as u32 % 2 == 1;
+            Some(MovingPlace { last, slot, column, row, odd_bin, footprint })
         })
         .take(PLACES)
         .collect();
@@ -64,7 +66,7 @@ fn it_agrees_with_the_model_on_splats_of_all_families() {
 
 #[test]
 fn operators_are_shared_over_the_cycles_of_a_sample() {
-    let config = Config { time_bins: 4, screen_filter: Feature::Off, ..Config::default() };
+    let config = Config { time_bins: 4, sample_interval: 4, screen_filter: Feature::Off, ..Config::default() };
     let hardware = motion_evaluation::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     println!("latency {}", hardware.manifest.latency);
     let mut operations = 0;

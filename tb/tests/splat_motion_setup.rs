@@ -16,7 +16,12 @@ fn splats(config: &Config) -> Vec<Splat> {
     let mut random = scene::random();
     let families = motion::Family::ALL.into_iter().cycle();
     let mut splats: Vec<Splat> = families
-        .map(|family| motion::encoded(&motion::splat(&mut random, family), config, &mut random))
+        .map(|family| {
+            let whole = motion::splat(&mut random, family);
+            // Across bins, or in one.
+            let splat = if random.bool() { whole } else { motion::moved(&mut random, family, config).splat };
+            motion::encoded(&splat, config, &mut random)
+        })
         .take(SPLATS)
         .collect();
     for _ in 0..SPLATS / 8 {

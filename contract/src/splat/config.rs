@@ -5,7 +5,7 @@ mod error;
 pub use error::ConfigError;
 
 use super::division::Division;
-use super::motion::TIME_BITS;
+use super::motion::{TIME_BINS_MAX, TIME_BITS};
 use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
 use crate::configuration::{Derived, configuration};
 use crate::{Format, FragmentDepth, Sampling, TableShape};
@@ -107,7 +107,7 @@ configuration! {
     pub struct Config, kind "splat" {
         /// What is drawn.
         image: Image {
-            /// Samples a row: pixels, or what `sampling` and `time_bins` make of them.
+            /// Samples a row: pixels, or what `sampling` makes of them.
             width: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;
             /// Rows of samples.
             height: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;
@@ -138,8 +138,8 @@ configuration! {
             screen_filter: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
             /// Splats that reach the near, far or eye plane are drawn as far as they lie between near and far, sample by sample.
             eye_plane: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
-            /// Parts of the exposure that splats which move are told apart in (thesis ch. 4), each with samples of its own: `width` counts them. 0 where nothing moves.
-            time_bins: u32 = 0, described("0, 1, 2, 4, 8; with `sampling = \"flipquad\"` 4 at most"), Input;
+            /// Bins of the exposure that splats which move are told apart in (thesis ch. 4), each with tiles of its own. 0 where nothing moves.
+            time_bins: u32 = 0, described("0, 1, 2, 4, 8"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
             /// Leading bits of ρ² that choose an entry of the kernel's table.
@@ -179,6 +179,8 @@ configuration! {
             transform_interval: u32 = 2, range(1, 16), Input;
             /// Cycles a splat takes in the setup unit (initiation interval).
             setup_interval: u32 = 4, range(1, 16), Input;
+            /// Cycles a sample of a splat that moves takes in its rasterizer, with `time_bins` (initiation interval).
+            sample_interval: u32 = 1, range(1, 8), User;
             /// Cycles from a stored pixel to its new value: one to choose the slot, the others for test and sums, at least the
             /// three of the depth test.
             accumulate_stages: u32 = 7, range(5, 12), Sweep;
@@ -254,7 +256,7 @@ impl Config {
         let needs = |key, value, reason| Err(ConfigError::Motion { bins: self.time_bins, key, value, reason });
         match self.time_bins {
             0 => Ok(()),
-            1 | 2 | 4 | 8 if self.columns_a_pixel() <= TILE_SIZE => {
+            1 | 2 | 4 | 8 => {
                 if self.screen_filter.is_on() {
                     return needs("screen_filter", "off", "splats that move have no disc on the screen");
                 }
@@ -266,7 +268,7 @@ impl Config {
                 }
                 Ok(())
             }
-            bins => Err(ConfigError::TimeBins { bins, most: TILE_SIZE / self.sampling.columns() }),
+            bins => Err(ConfigError::TimeBins { bins, most: TIME_BINS_MAX as u32 }),
         }
     }
 
@@ -302,10 +304,10 @@ impl Config {
         self.time_bins > 0
     }
 
-    /// Columns of samples that a pixel has: places, each with its bins of the exposure.
+    /// Columns of samples that a pixel has.
     #[must_use]
     pub const fn columns_a_pixel(&self) -> u32 {
-        self.sampling.columns() << self.bin_bits()
+        self.sampling.columns()
     }
 
     /// Bits of a bin's number: none where there is but one.
@@ -339,7 +341,7 @@ impl Config {
     /// Bits of a pixel column.
     #[must_use]
     pub const fn column_bits(&self) -> u32 {
-        self.tile_column_bits() + TILE_SIZE.ilog2()
+        index_bits(self.width.div_ceil(TILE_SIZE)) + TILE_SIZE.ilog2()
     }
 
     /// Bits of a pixel row.
@@ -355,10 +357,17 @@ impl Config {
         1 + if columns < rows { rows } else { columns }
     }
 
-    /// Bits of a tile column, at least one.
+    /// Bits of a tile column, at least one. Where splats move, the tiles of a place's bins of the exposure lie side by side: the bin is what the
+    /// lowest bits say.
     #[must_use]
     pub const fn tile_column_bits(&self) -> u32 {
-        index_bits(self.width.div_ceil(TILE_SIZE))
+        self.column_bits() - TILE_SIZE.ilog2() + self.bin_bits()
+    }
+
+    /// Tiles in a row of the image.
+    #[must_use]
+    pub const fn tile_columns(&self) -> u32 {
+        self.width.div_ceil(TILE_SIZE) << self.bin_bits()
     }
 
     /// Bits of a tile row, at least one.
@@ -400,7 +409,7 @@ impl Config {
     /// Column and row of the last place that has a tile of the image: some rasterizer's, if not each one's.
     #[must_use]
     pub const fn last_place(&self) -> [u32; 2] {
-        let [last_column, last_row] = [(self.width - 1) / TILE_SIZE, (self.height - 1) / TILE_SIZE];
+        let [last_column, last_row] = [self.tile_columns() - 1, (self.height - 1) / TILE_SIZE];
         [last_column >> self.rasterizer_bits(), last_row]
     }
 

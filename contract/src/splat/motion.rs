@@ -2,10 +2,8 @@
 
 use crate::{Fixed, Signedness, TableShape};
 
-/// The most parts of one length into which an exposure falls, each with a pixel of its own.
+/// The most parts of one length into which an exposure falls, each with tiles of its own.
 pub const TIME_BINS_MAX: usize = 8;
-/// The most times between which bins lie: of bin `i` those of the places `i` and `i + 1`.
-pub const TIMES_MAX: usize = TIME_BINS_MAX + 1;
 /// Bits of a time behind the point: a fraction of the exposure.
 pub const TIME_FRACTION_BITS: u32 = 16;
 /// Bits of a time; the exposure's end is one.
@@ -14,7 +12,5 @@ pub const TIME_BITS: u32 = TIME_FRACTION_BITS + 1;
 pub const SHARE_BITS: u32 = 20;
 /// The tables of the kernel and of its integral over `[0, 1)`: differences of the integral are divided by a speed of ⅛ and more.
 pub const MOTION_TABLE: TableShape = TableShape { index_bits: 10, fraction_bits: 14, value_bits: 24 };
-/// Cycles a moving splat takes in setup: it covers more samples than a still one, each of which takes a cycle a bin.
-pub const MOTION_SETUP_INTERVAL: u32 = 16;
 /// Format of how much a bin of the exposure counts: 1 where the shutter is a box.
 pub const SHUTTER: Fixed = Fixed { width: 16, fraction: 15, signed: Signedness::Unsigned };

@@ -28,6 +28,7 @@ pub struct Normalizer {
     attribute: Arithmetic,
     division: Division,
     tile_column_bits: u32,
+    bin_bits: u32,
     /// Bins of the exposure, none where nothing moves.
     bins: u32,
     datapath: Datapath<Fragment>,
@@ -43,6 +44,7 @@ impl Normalizer {
             attribute: Arithmetic(config.attribute),
             division: config.division,
             tile_column_bits: config.tile_column_bits(),
+            bin_bits: config.bin_bits(),
             bins: config.time_bins,
             datapath: Datapath::new(latency, if config.has_motion() { SURFACES_A_BIN } else { 1 }),
         }
@@ -57,10 +59,14 @@ impl Normalizer {
         let [tile_column, tile_row] =
             [placed.tile & ((1 << self.tile_column_bits) - 1), placed.tile >> self.tile_column_bits];
         let pixel = u32::from(placed.pixel);
-        let column = tile_column * SIZE + pixel % SIZE;
+        let (column, number) = (tile_column >> self.bin_bits, tile_column & ((1 << self.bin_bits) - 1));
+        let column = column * SIZE + pixel % SIZE;
         let (depth, attributes) = self.surface(weight, depth, attributes);
-        let seen =
-            if self.bins > 0 { self.seen(bin, shutter.weight[(column % self.bins) as usize]) } else { Seen::default() };
+        let seen = if self.bins > 0 {
+            Seen { bin: number as u8, ..self.seen(bin, shutter.weight[number as usize]) }
+        } else {
+            Seen::default()
+        };
         Fragment {
             end: false,
             column: column as u16,
@@ -91,7 +97,8 @@ impl Normalizer {
             counted.min((1 << TIME_BITS) - 1) as u32
         };
         let (depth, attributes) = self.surface(bin.weight, bin.depth, bin.attributes);
-        Seen { share: share(nearest), rest_share: share(any.saturating_sub(nearest)), depth: depth.bits(), attributes }
+        let rest_share = share(any.saturating_sub(nearest));
+        Seen { share: share(nearest), rest_share, depth: depth.bits(), attributes, ..Seen::default() }
     }
 }
 

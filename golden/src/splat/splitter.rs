@@ -17,6 +17,8 @@ const LAST: i32 = TILE_SIZE as i32 - 1;
 #[derive(Clone, Copy, Debug)]
 struct Grid {
     tile_column_bits: u32,
+    /// Bits of a bin of the exposure, the lowest of a tile's column.
+    bin_bits: u32,
     row_bits: u32,
     /// Samples in a row of a pixel.
     columns: u16,
@@ -76,13 +78,14 @@ impl Work {
 
     /// The copy for the current tile; `None` if none of the octagon lies in it.
     fn copy(&self, grid: Grid) -> Option<SplatCopy> {
-        let SetupSplat { end, footprint, moving, attributes, bounds, .. } = self.splat;
+        let SetupSplat { end, footprint, moving, bin, attributes, bounds, .. } = self.splat;
         if end {
             return Some(SplatCopy { end, ..SplatCopy::default() });
         }
         let (left, right) = intersection(bounds.left, bounds.right, self.tile_column);
         let (top, bottom) = intersection(bounds.top, bounds.bottom, self.tile_row);
-        let tile = u32::from(self.tile_row) << grid.tile_column_bits | u32::from(self.tile_column);
+        let tile_column = u32::from(self.tile_column) << grid.bin_bits | u32::from(bin);
+        let tile = u32::from(self.tile_row) << grid.tile_column_bits | tile_column;
         let Diagonals { sum: [first_sum, last_sum], difference: [first_difference, last_difference] } =
             self.diagonals(grid);
         let [first, last] = [left, right].map(|column| i32::from(column / grid.columns));
@@ -158,7 +161,8 @@ impl Splitter {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         let columns = config.columns_a_pixel() as u16;
-        let grid = Grid { tile_column_bits: config.tile_column_bits(), row_bits: config.row_bits(), columns };
+        let (tile_column_bits, bin_bits) = (config.tile_column_bits(), config.bin_bits());
+        let grid = Grid { tile_column_bits, bin_bits, row_bits: config.row_bits(), columns };
         Self { grid, work: None, out: Exit::new(config) }
     }
 

@@ -23,11 +23,11 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let program = Program::new("splat_normalizer", "A finished pixel's sums divided by its weight.");
     let FinishedPixel { end, placed } = FinishedPixel::inputs(&program, config);
     let PlacedPixel { tile, pixel, value: sums } = placed;
-    let column_bits = config.tile_column_bits();
-    let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(LOCAL_BITS - 1, 0));
+    let (column_bits, bin_bits) = (config.tile_column_bits(), config.bin_bits());
+    let column = tile.bits(column_bits - 1, bin_bits).cat(pixel.bits(LOCAL_BITS - 1, 0));
     let row = tile.bits(config.tile_bits() - 1, column_bits).cat(pixel.bits(2 * LOCAL_BITS - 1, LOCAL_BITS));
     let (depth, attributes) = surface(config, &program, sums.weight, sums.depth, sums.attributes);
-    let seen = if config.has_motion() { seen(config, &program, column, &sums.bin) } else { Seen::default() };
+    let seen = if config.has_motion() { seen(config, &program, tile, &sums.bin) } else { Seen::default() };
     Fragment { end, column, row, depth, attributes, seen }.outputs(&program, config);
     let interval = if config.has_motion() { SURFACES_A_BIN } else { 1 };
     datapath::unit(&units::normalizer::UNIT, config, &program, &options.with_interval(interval))
@@ -54,13 +54,13 @@ fn surface(
 }
 
 /// For how long a bin sees its nearest surface, for how long the rest besides, and the rest itself.
-fn seen(config: &Config, program: &Program, column: Value, bin: &Bin<Values>) -> Seen<Values> {
+fn seen(config: &Config, program: &Program, tile: Value, bin: &Bin<Values>) -> Seen<Values> {
     let (bits, time_bits) = (config.bin_bits(), config.bin_time_bits());
     let shutter = Uniforms::<Shutter>::of(program, config, Type::Unsigned(SHUTTER.width));
     let counts: Vec<_> =
         (0..config.time_bins as usize).map(|bin| shutter.declare(|shutter| shutter.weight[bin])).collect();
     let counts = (0..bits).fold(counts, |counts, level| {
-        let odd = column.bits(level, level);
+        let odd = tile.bits(level, level);
         counts.chunks(2).map(|pair| odd.mux(pair[1], pair[0])).collect()
     })[0];
     let length = program.lit(time_bits + 1, 1 << (time_bits - 1));
@@ -70,7 +70,8 @@ fn seen(config: &Config, program: &Program, column: Value, bin: &Bin<Values>) ->
     let largest = program.lit(time_bits + 1 + SHUTTER.width, (1 << TIME_BITS) - 1);
     let share = |time: Value| ((time * counts) >> SHUTTER.fraction).min(largest).bits(TIME_BITS - 1, 0);
     let (depth, attributes) = surface(config, program, bin.weight, bin.depth, bin.attributes);
-    Seen { share: share(nearest), rest_share: share(less(any, nearest)), depth, attributes }
+    let number = if bits > 0 { tile.bits(bits - 1, 0) } else { Value::default() };
+    Seen { bin: number, share: share(nearest), rest_share: share(less(any, nearest)), depth, attributes }
 }
 
 /// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.

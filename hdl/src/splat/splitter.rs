@@ -155,8 +155,9 @@ impl Walk {
         let wraps = m.wire("wraps", step & right_most);
         let moves = take | step;
         let turns = take | wraps;
-        let [column, row] = [("column", config.tile_column_bits()), ("row", config.tile_row_bits())]
-            .map(|(name, bits)| m.reg(name, bits));
+        let column_bits = config.column_bits() - LOCAL_BITS;
+        let [column, row] =
+            [("column", column_bits), ("row", config.tile_row_bits())].map(|(name, bits)| m.reg(name, bits));
 
         let is_one = |first: Expr, last: Expr| tile_of(first).eq(tile_of(last));
         let one_column = m.wire("one_column", is_one(arriving.left, arriving.right));
@@ -236,7 +237,11 @@ pub fn module(config: &Config) -> Module {
         attributes: splat.attributes,
         bounds: TileRectangle { top, bottom, ..edges },
         diagonals: diagonals.of_tile(),
-        tile: cat([walk.row, walk.column]),
+        tile: if config.bin_bits() > 0 {
+            cat([walk.row, walk.column, splat.bin])
+        } else {
+            cat([walk.row, walk.column])
+        },
     };
     out.push(&mut m, config, push, copy);
     m

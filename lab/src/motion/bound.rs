@@ -18,13 +18,13 @@ const LATER_ROUNDINGS: f64 = 16.0;
 const WELL_POSED: f64 = 1.0 / (1 << 17) as f64;
 /// A well-posed sample's integral is off by no more, in `f32`.
 pub const WELL_POSED_ERROR: f64 = 1.0 / 65536.0;
-/// Speed below which a sample is narrow, of an exposure in one bin: with more bins as many times that.
+/// Speed below which a sample is narrow, in an exposure of one bin: with more bins as many times that.
 const NARROW: f64 = 1.0 / 32.0;
 
-/// The truth about a bin of a sample, and what may be off.
+/// The truth about a sample in a bin of the exposure, and what may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
-    /// The kernel's integral.
+    /// The kernel's integral over the bin.
     pub truth: f64,
     /// The time that is covered, in units of `τ`.
     pub covered: f64,
@@ -36,34 +36,29 @@ pub struct Share {
     pub bound_of_time: f64,
 }
 
-/// The truth about a sample.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shares {
-    /// Of each bin.
-    pub bins: Vec<Share>,
-}
-
-impl Shares {
+impl Share {
     /// Whether the sample is well-posed.
     #[must_use]
     pub fn is_well_posed(&self) -> bool {
-        self.bins.iter().map(|share| share.moved).sum::<f64>() <= WELL_POSED
+        self.moved <= WELL_POSED
     }
 
-    /// Of a footprint whose numbers are exact.
+    /// Of a footprint whose numbers are exact, and that is there within a bin.
     #[must_use]
-    pub fn new(footprint: &MovingFootprint, place: &Place, config: &Config) -> Self {
-        Self::of(&Sample::new(footprint, place, config))
+    pub fn new(footprint: &MovingFootprint, place: &Place, config: &Config, bin: Interval) -> Self {
+        Sample::new(footprint, place, config).share(bin)
     }
 
     /// Of a splat whose numbers are exact, with the footprint that it has in f64 and its terms.
     #[must_use]
-    pub fn of_splat(footprint: &MovingFootprint, magnitudes: &Magnitudes, place: &Place, config: &Config) -> Self {
-        Self::of(&Sample::new(footprint, place, config).set_up(magnitudes, place))
-    }
-
-    fn of(sample: &Sample) -> Self {
-        Self { bins: Interval::equal_parts(sample.bins).map(|part| sample.share(part)).collect() }
+    pub fn of_splat(
+        footprint: &MovingFootprint,
+        magnitudes: &Magnitudes,
+        place: &Place,
+        config: &Config,
+        bin: Interval,
+    ) -> Self {
+        Sample::new(footprint, place, config).set_up(magnitudes, place).share(bin)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Golden setup and evaluation beside f64, case by case.
 
-use super::bound::{Shares, WELL_POSED_ERROR};
+use super::bound::{Share, WELL_POSED_ERROR};
 use super::depth;
 use super::setup::Magnitudes;
 use fastrand::Rng;
@@ -12,7 +12,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::motion::{SHARE_BITS, TIME_FRACTION_BITS};
 use pointcore_contract::splat::records::{self, ImageRectangle, MovingPlace, MovingSample};
-use pointcore_golden::reference::motion::{Interval, MovingFootprint, Place, Way};
+use pointcore_golden::reference::motion::{Interval, MovingFootprint, Way};
 use pointcore_golden::splat::{MotionEvaluation, MotionSetup, MotionUniforms};
 
 /// A moving splat and a sample, with the truth about it.
@@ -26,6 +26,8 @@ pub struct Case {
     pub footprint: MovingFootprint,
     /// Magnitudes of its terms.
     pub magnitudes: Magnitudes,
+    /// The bin of the exposure in which it is there.
+    bin: u32,
     last: bool,
     slot: u8,
 }
@@ -37,11 +39,11 @@ pub struct Outcome {
     pub is_inside: bool,
     /// The case is well-posed.
     pub is_well_posed: bool,
-    /// The largest error of a share, or of their sum.
+    /// The error of its share.
     pub error: f64,
-    /// The largest error of a share in terms of its bound.
+    /// The same in terms of its bound.
     pub of_bound: f64,
-    /// What the sum of all shares may be off.
+    /// What the share may be off.
     pub bound: f64,
 }
 
@@ -49,10 +51,8 @@ pub struct Outcome {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Violation {
     /// A share is farther from the truth than its bound.
-    #[error("bin {bin}: share {found} beside {truth}, bound {bound}")]
+    #[error("share {found} beside {truth}, bound {bound}")]
     Share {
-        /// The bin.
-        bin: usize,
         /// What was computed.
         found: f64,
         /// The truth.
@@ -61,10 +61,8 @@ pub enum Violation {
         bound: f64,
     },
     /// A covered time is farther from the truth than its bound.
-    #[error("bin {bin}: covered for {found} beside {truth}, bound {bound}")]
+    #[error("covered for {found} beside {truth}, bound {bound}")]
     Time {
-        /// The bin.
-        bin: usize,
         /// What was computed.
         found: f64,
         /// The truth.
@@ -73,10 +71,10 @@ pub enum Violation {
         bound: f64,
     },
     /// A depth is farther from the truth than its bound.
-    #[error("time {time}: depth {found}, expected {low} to {high}")]
+    #[error("depth {found} at time {time}, expected {low} to {high}")]
     Depth {
-        /// The border's place.
-        time: usize,
+        /// When.
+        time: u32,
         /// What was computed.
         found: f64,
         /// The least that it may be.
@@ -86,7 +84,7 @@ pub enum Violation {
     },
     /// Times are in no order, though the sample is covered.
     #[error("times {0:?}")]
-    Order(Vec<u32>),
+    Order([u32; 2]),
     /// A well-posed share is off by more than 2⁻¹⁶.
     #[error("well-posed, but off by {0}")]
     WellPosed(f64),
@@ -102,7 +100,9 @@ pub fn case(random: &mut Rng, family: Family, config: &Config) -> Option<Case> {
     let footprint = MovingFootprint::along(&way, &camera, &rendering).ok()?;
     let magnitudes = Magnitudes::of(&way, &footprint, &camera);
     let (last, slot) = (random.u8(0..8) == 0, random.u8(0..config.tile_slots as u8));
-    Some(Case { moved, splat, footprint, magnitudes, last, slot })
+    let middle = 0.5 * (moved.splat.part.middle() + 1.0);
+    let bin = (middle * f64::from(config.time_bins)) as u32;
+    Some(Case { moved, splat, footprint, magnitudes, bin, last, slot })
 }
 
 /// A record's numbers.
@@ -123,8 +123,16 @@ impl Case {
     #[must_use]
     pub fn place(&self, footprint: records::MovingFootprint) -> MovingPlace {
         let (column, row) = (self.moved.place.column as u16, self.moved.place.row as u16);
-        MovingPlace { last: self.last, slot: self.slot, column, row, footprint }
+        MovingPlace { last: self.last, slot: self.slot, column, row, odd_bin: self.bin % 2 == 1, footprint }
     }
+}
+
+/// Begin and end of the time for which a sample is covered in a bin of the exposure, in the exposure's own fraction; of one that is not they mean
+/// nothing.
+fn times(sample: &MovingSample, bin: u32, config: &Config) -> [u32; 2] {
+    let [early, late] = sample.time;
+    let border = |bin: u32| bin << (TIME_FRACTION_BITS - config.bin_bits());
+    [border(bin + 1).wrapping_sub(early), border(bin) + late]
 }
 
 /// Both units, and what they are given.
@@ -152,19 +160,25 @@ impl Units {
         let record = case.footprint.encoded(geometry);
         let footprint = MovingFootprint::decoded(&record, geometry, case.footprint.bounds.clone());
         let sample = self.evaluation.evaluate(&case.place(record), self.uniforms.viewport.depth_a);
-        self.depths(&sample, &footprint, &case.moved.place)?;
-        self.compare(&sample, &Shares::new(&footprint, &case.moved.place, &self.config))
+        self.depths(&sample, &footprint, case)?;
+        self.compare(&sample, case, &Share::new(&footprint, &case.moved.place, &self.config, self.bin(case)))
+    }
+
+    /// The bin of a case.
+    fn bin(&self, case: &Case) -> Interval {
+        let border = |bin: u32| 2.0 * f64::from(bin) / f64::from(self.config.time_bins) - 1.0;
+        Interval { begin: border(case.bin), end: border(case.bin + 1) }
     }
 
     /// Holds the depths of a sample against those of a footprint.
-    fn depths(&self, sample: &MovingSample, footprint: &MovingFootprint, place: &Place) -> Result<(), Violation> {
+    fn depths(&self, sample: &MovingSample, footprint: &MovingFootprint, case: &Case) -> Result<(), Violation> {
         let format = self.config.geometry;
         let depth_a = f64::from(decode(format, self.uniforms.viewport.depth_a));
-        let depths = &sample.depth[..=self.config.time_bins as usize];
-        for (time, &depth) in depths.iter().enumerate().filter(|_| sample.inside) {
+        let times = times(sample, case.bin, &self.config);
+        for (time, depth) in times.into_iter().zip(sample.depth).filter(|_| sample.inside) {
             let found = f64::from(depth) / f64::from(1 << DEPTH_BITS);
             let numbers = [depth_a, depth::unit(format)];
-            let range = depth::range(footprint, place, sample.time[time], numbers, self.config.depth);
+            let range = depth::range(footprint, &case.moved.place, time, numbers, self.config.depth);
             if !range.contains(&found) {
                 return Err(Violation::Depth { time, found, low: *range.start(), high: *range.end() });
             }
@@ -178,8 +192,8 @@ impl Units {
     /// What does not hold.
     pub fn draw(&self, case: &Case) -> Result<Outcome, Violation> {
         let Case { footprint, magnitudes, moved, .. } = case;
-        let truth = Shares::of_splat(footprint, magnitudes, &moved.place, &self.config);
-        self.compare(&self.drawn(case), &truth)
+        let truth = Share::of_splat(footprint, magnitudes, &moved.place, &self.config, self.bin(case));
+        self.compare(&self.drawn(case), case, &truth)
     }
 
     /// The sample as evaluation takes it behind setup, or of a splat that setup drops, with the footprint in f64.
@@ -195,47 +209,33 @@ impl Units {
         let Some(splat) = self.setup.setup(&case.splat, &self.uniforms) else { return MovingSample::default() };
         let place = case.place(splat.moving.footprint);
         let ImageRectangle { left, right, top, bottom } = splat.bounds;
-        let columns = (left >> self.config.bin_bits())..=(right >> self.config.bin_bits());
-        if !(columns.contains(&place.column) && (top..=bottom).contains(&place.row)) {
+        if !((left..=right).contains(&place.column) && (top..=bottom).contains(&place.row)) {
             return MovingSample::default();
         }
         self.evaluation.evaluate(&place, self.uniforms.viewport.depth_a)
     }
 
-    fn compare(&self, sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> {
-        let outcome = compare(sample, truth)?;
+    fn compare(&self, sample: &MovingSample, case: &Case, truth: &Share) -> Result<Outcome, Violation> {
+        let [begin, end] = times(sample, case.bin, &self.config);
+        if sample.inside && begin > end {
+            return Err(Violation::Order([begin, end]));
+        }
+        let of_inside = |value: f64| if sample.inside { value } else { 0.0 };
+        let found = of_inside(f64::from(sample.share) / f64::from(1 << SHARE_BITS));
+        let covered = of_inside(2.0 * (f64::from(end) - f64::from(begin)) / f64::from(1 << TIME_FRACTION_BITS));
+        let Share { truth: share, bound, .. } = *truth;
+        let error = (found - share).abs();
+        if error.is_nan() || error > bound {
+            return Err(Violation::Share { found, truth: share, bound });
+        }
+        if (covered - truth.covered).abs() > truth.bound_of_time {
+            return Err(Violation::Time { found: covered, truth: truth.covered, bound: truth.bound_of_time });
+        }
+        let (is_inside, is_well_posed) = (sample.inside, truth.is_well_posed());
         let is_fine = self.config.geometry.mantissa == Format::F32.mantissa;
-        if outcome.is_well_posed && is_fine && outcome.error > WELL_POSED_ERROR {
-            return Err(Violation::WellPosed(outcome.error));
+        if is_well_posed && is_fine && error > WELL_POSED_ERROR {
+            return Err(Violation::WellPosed(error));
         }
-        Ok(outcome)
+        Ok(Outcome { is_inside, is_well_posed, error, of_bound: error / bound, bound })
     }
-}
-
-fn compare(sample: &MovingSample, truth: &Shares) -> Result<Outcome, Violation> {
-    let times = &sample.time[..=truth.bins.len()];
-    if sample.inside && !times.is_sorted() {
-        return Err(Violation::Order(times.to_vec()));
-    }
-    let of_inside = |value: f64| if sample.inside { value } else { 0.0 };
-    let (mut error, mut of_bound, mut whole, mut bound) = (0.0_f64, 0.0_f64, 0.0, 0.0);
-    for (bin, share) in truth.bins.iter().enumerate() {
-        let found = of_inside(f64::from(sample.share[bin]) / f64::from(1 << SHARE_BITS));
-        let time = |index: usize| 2.0 * f64::from(sample.time[index]) / f64::from(1 << TIME_FRACTION_BITS);
-        let covered = of_inside(time(bin + 1) - time(bin));
-        let off = (found - share.truth).abs();
-        if off.is_nan() || off > share.bound {
-            return Err(Violation::Share { bin, found, truth: share.truth, bound: share.bound });
-        }
-        if (covered - share.covered).abs() > share.bound_of_time {
-            let (truth, bound) = (share.covered, share.bound_of_time);
-            return Err(Violation::Time { bin, found: covered, truth, bound });
-        }
-        whole += found - share.truth;
-        bound += share.bound;
-        error = error.max(off);
-        of_bound = of_bound.max(off / share.bound);
-    }
-    error = error.max(whole.abs());
-    Ok(Outcome { is_inside: sample.inside, is_well_posed: truth.is_well_posed(), error, of_bound, bound })
 }

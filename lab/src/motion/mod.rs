@@ -12,16 +12,9 @@ use pointcore_contract::{Format, FragmentDepth, Sampling};
 /// What is measured: `f32` as it comes, `f24` with Newton steps, and all else that changes what is computed.
 #[must_use]
 pub fn configurations() -> [Config; 3] {
-    let image = Config { width: 4 * 64, height: 48, time_bins: 4, screen_filter: Feature::Off, ..Config::default() };
-    let coarse = Config {
-        geometry: Format::F24.flushed(),
-        division: Division::Newton,
-        time_bins: 8,
-        width: 8 * 64,
-        ..image.clone()
-    };
+    let image = Config { width: 64, height: 48, time_bins: 4, screen_filter: Feature::Off, ..Config::default() };
+    let coarse = Config { geometry: Format::F24.flushed(), division: Division::Newton, time_bins: 8, ..image.clone() };
     let other = Config {
-        width: 64,
         time_bins: 1,
         kernel_gamma: 4.0,
         sampling: Sampling::Flipquad,

@@ -71,8 +71,7 @@ fn quadrature_says_the_same() {
             if !outcome.is_inside || !(outcome.is_well_posed || index < CASES / 40) {
                 continue;
             }
-            let share: u32 = units.drawn(&case).share.iter().sum();
-            let found = f64::from(share) / f64::from(1 << SHARE_BITS);
+            let found = f64::from(units.drawn(&case).share) / f64::from(1 << SHARE_BITS);
             let moved = &case.moved;
             let numbers = quadrature::integral(&moved.splat, &moved.place, Shutter::Box, &camera, &rendering);
             // At either end the sum errs by half a step times the kernel there: that of the edge, or of a place between planes.

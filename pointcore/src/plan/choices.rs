@@ -22,7 +22,6 @@ fn on_off(feature: Feature) -> String {
 /// Of splats that stand still.
 pub(super) fn of_still(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
     let Demand { back_facing, filtered, drawn, .. } = *demand;
-    let interval = config.setup_interval;
     let filter = match scene.rendering.filter_radius_px {
         Some(radius) => {
             format!("{filtered} of {drawn} drawn splats are narrower on the screen than the filter's {radius} px")
@@ -35,14 +34,6 @@ pub(super) fn of_still(scene: &Scene, config: &Config, demand: &Demand) -> Vec<C
         of(Effect::ScreenFilter, on_off(config.screen_filter), filter),
     ];
     choices.extend(of_any(scene, config, demand));
-    choices.push(fixed(
-        "transform, setup",
-        &format!("{interval} cycles a splat"),
-        &format!(
-            "{} splats come beside {} samples, of which the rasterizer takes one a cycle",
-            demand.load.splats, demand.load.samples
-        ),
-    ));
     choices.push(fixed(
         "motion",
         "none",
@@ -106,6 +97,14 @@ pub(super) fn of_any(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Cho
                 demand.pixels(),
                 config.rasterizers,
                 demand.load.samples
+            ),
+        ),
+        fixed(
+            "transform, setup",
+            &format!("{} cycles a splat", config.setup_interval),
+            &format!(
+                "{} splats come beside {} samples, of which the rasterizer takes one a cycle",
+                demand.load.splats, demand.load.samples
             ),
         ),
         fixed("sampling", sampling.0, sampling.1),

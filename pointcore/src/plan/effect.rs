@@ -2,7 +2,8 @@
 
 use super::Plan;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{ATTRIBUTES_MAX, TILE_SIZE};
+use pointcore_contract::splat::config::ATTRIBUTES_MAX;
+use pointcore_contract::splat::motion::TIME_BINS_MAX;
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use serde::Serialize;
 
@@ -122,11 +123,7 @@ impl Plan {
             Effect::Cardinal => config.cardinal = if is_most { config.cardinal.max(1) } else { 0 },
             Effect::HeapLevels => config.heap_levels = size(config.heap_levels, default.heap_levels),
             Effect::TileSlots => config.tile_slots = size(config.tile_slots, default.tile_slots),
-            Effect::TimeBins => {
-                let bins = if is_most { TILE_SIZE / config.sampling.columns() } else { 0 };
-                config.width = config.width / config.time_bins.max(1) * bins.max(1);
-                config.time_bins = bins;
-            }
+            Effect::TimeBins => config.time_bins = if is_most { TIME_BINS_MAX as u32 } else { 0 },
         }
         if (1..=ATTRIBUTES_MAX).contains(&config.attributes()) {
             plan

@@ -13,7 +13,7 @@ pub enum PlanError {
     Moving,
     /// A way to settle what hides what of which there is no hardware.
     #[error(
-        "`splatting.motion` = \"{method}\", but hardware{sampling} has 1, 2, 4, … up to {most} bins of the exposure: say \"bins:{most}\", or render by \
+        "`splatting.motion` = \"{method}\", but hardware has 1, 2, 4, … up to {most} bins of the exposure: say \"bins:{most}\", or render by \
          `pointcore run SCENE --model reference`"
     )]
     Method {
@@ -21,8 +21,6 @@ pub enum PlanError {
         method: String,
         /// The most bins.
         most: u32,
-        /// What limits them.
-        sampling: &'static str,
     },
     /// A key of `[overrides]` that is no parameter of the hardware.
     #[error("`overrides.{key}` is unknown: expected one of {expected}")]

@@ -67,13 +67,10 @@ pub(super) fn held(
     has_materials: bool,
 ) -> Result<Plan, PlanError> {
     let image = [scene.rendering.width, scene.rendering.height];
-    let bins = config.time_bins.max(1);
-    for (key, edge, held, bins) in [("width", image[0], config.width, bins), ("height", image[1], config.height, 1)] {
-        let needed = edge.saturating_mul(bins as usize);
-        if needed > held as usize {
-            let each = if bins > 1 { format!(" of {bins} bins each") } else { String::new() };
-            let reason = format!("its `image.{key}` comes to {edge} samples{each}");
-            let remedy = format!("set `{key} = {needed}`, or a smaller `image.{key}`");
+    for (key, edge, held) in [("width", image[0], config.width), ("height", image[1], config.height)] {
+        if edge > held as usize {
+            let reason = format!("its `image.{key}` comes to {edge} samples");
+            let remedy = format!("set `{key} = {edge}`, or a smaller `image.{key}`");
             return excluded("a larger image", reason, key, held.to_string(), remedy);
         }
     }

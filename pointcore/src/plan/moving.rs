@@ -8,14 +8,9 @@ use super::given::held;
 use super::planner::Planner;
 use super::{Choice, Effect, Plan, PlanError, has_materials};
 use crate::scene::Scene;
-use pointcore_contract::Sampling;
-use pointcore_contract::splat::config::TILE_SIZE;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
+use pointcore_contract::splat::motion::TIME_BINS_MAX;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_golden::reference::motion::{Method, MovingSplat};
-
-/// Bins where the scene leaves it open: in the shipped scenes they err as little as a dozen still frames (docs/results.md).
-const BINS: u32 = 4;
 
 /// The hardware for a scene that moves.
 #[derive(Clone, Debug)]
@@ -33,7 +28,7 @@ impl MovingPlan {
     /// As [`Plan::of`], and if the scene's `splatting.motion` is none that hardware has.
     pub fn of(scene: &Scene) -> Result<Self, PlanError> {
         let overrides = &scene.overrides;
-        let planner = Planner::of_moving(scene, &scene.moving_part(), overrides)?;
+        let planner = Planner::of_moving(scene, overrides)?;
         let moving = planner.plan(planner.size())?;
         let still = scene.still_part().map(|still| Plan::with_overrides(&still, overrides)).transpose()?;
         Ok(Self { moving, still })
@@ -45,7 +40,6 @@ impl MovingPlan {
     /// The first effect that what moves calls for and the configuration excludes.
     pub fn on(scene: &Scene, config: &Config) -> Result<Self, PlanError> {
         let (time_bins, _) = time_bins(scene)?;
-        let splats = scene.moving_part();
         let excluded = |effect, reason, value: u32, remedy| {
             Err(PlanError::Excluded { effect, reason, key: "time_bins", value: value.to_string(), remedy })
         };
@@ -61,6 +55,7 @@ impl MovingPlan {
             );
             return excluded("other bins of the exposure", reason, config.time_bins, remedy);
         }
+        let splats = scene.moving_part(time_bins as usize);
         let each = || splats.iter().map(|moving| &moving.splat);
         let constants = differing(each());
         let plan = held(scene, config, constants, has_materials(each()))?;
@@ -78,20 +73,16 @@ fn method(scene: &Scene) -> Option<Method> {
 
 /// Bins of the exposure that hardware for a scene has, and why.
 pub(super) fn time_bins(scene: &Scene) -> Result<(u32, String), PlanError> {
-    // A pixel's samples, each with its bins, are in one tile.
-    let most = TILE_SIZE / scene.rendering.sampling.columns();
+    let most = TIME_BINS_MAX as u32;
     match method(scene) {
         None => {
-            let reason = format!("`splatting.motion` leaves it open; \"bins:{most}\" errs less, and takes longer");
-            Ok((BINS, reason))
+            // A sample is covered in few bins, so that many take hardly longer.
+            Ok((most, "`splatting.motion` leaves it open; fewer would err more, and be hardly faster".to_owned()))
         }
         Some(Method::Bins(bins)) if bins.is_power_of_two() && bins as u32 <= most => {
             Ok((bins as u32, format!("`splatting.motion` is \"bins:{bins}\"")))
         }
-        Some(method) => {
-            let sampling = if scene.rendering.sampling == Sampling::Flipquad { " with flipquad" } else { "" };
-            Err(PlanError::Method { method: method.to_string(), most, sampling })
-        }
+        Some(method) => Err(PlanError::Method { method: method.to_string(), most }),
     }
 }
 
@@ -117,17 +108,12 @@ pub(super) fn choices(
         fixed(
             "what moves",
             &format!("{parts} splats"),
-            &format!("straight parts of the ways of splats that move, of {} in the scene", scene.splats.len()),
+            &format!(
+                "straight parts of the ways of splats that move, each in a bin, of {} splats in the scene",
+                scene.splats.len()
+            ),
         ),
         fixed("screen filter", chosen, &filter),
         fixed("back-face culling", "generated", "a splat that moves lives while it faces the eye"),
-        fixed(
-            "transform, setup",
-            &format!("{MOTION_SETUP_INTERVAL} cycles a splat"),
-            &format!(
-                "{parts} splats come beside {} samples, each of which takes the rasterizer {time_bins} cycles",
-                demand.load.samples / time_bins as usize
-            ),
-        ),
     ]
 }

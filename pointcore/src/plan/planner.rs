@@ -6,10 +6,8 @@ use super::given::{Conflict, conflict};
 use super::overrides::overridden;
 use super::{Choice, Plan, PlanError, choices, everything, feature, has_materials, is_filtered, moving};
 use crate::scene::Scene;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
-use pointcore_golden::reference::motion::MovingSplat;
 
 /// The most cycles that a splat may take in transform and setup.
 const INTERVAL_MAX: u32 = 16;
@@ -81,12 +79,9 @@ impl<'a> Planner<'a> {
     ///
     /// # Errors
     /// As [`MovingPlan::of`](super::MovingPlan::of), of what does not depend on the size.
-    pub(super) fn of_moving(
-        scene: &'a Scene,
-        splats: &[MovingSplat],
-        overrides: &'a toml::Table,
-    ) -> Result<Self, PlanError> {
+    pub(super) fn of_moving(scene: &'a Scene, overrides: &'a toml::Table) -> Result<Self, PlanError> {
         let (time_bins, reason) = moving::time_bins(scene)?;
+        let splats = &scene.moving_part(time_bins as usize);
         let config = of_scene(scene, time_bins);
         let asked = overridden(&config, overrides)?;
         asked.validate()?;
@@ -139,14 +134,13 @@ impl<'a> Planner<'a> {
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
         config.memory_ports = demand.memory_ports(config.rasterizers);
+        let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
+        (config.transform_interval, config.setup_interval) = (interval, interval);
         let mut choices = if is_moving {
-            config.transform_interval = MOTION_SETUP_INTERVAL;
             self.motion.iter().cloned().chain(choices::of_any(scene, &config, demand)).collect()
         } else {
             config.culling = feature(demand.back_facing > 0);
             config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
-            let interval = (demand.load.interval(config.rasterizers) << size.slower).min(INTERVAL_MAX);
-            (config.transform_interval, config.setup_interval) = (interval, interval);
             choices::of_still(scene, &config, demand)
         };
 
@@ -180,7 +174,7 @@ impl<'a> Planner<'a> {
 fn of_scene(scene: &Scene, time_bins: u32) -> Config {
     let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
     let still = Config {
-        width: edge(scene.rendering.width).saturating_mul(time_bins.max(1)),
+        width: edge(scene.rendering.width),
         height: edge(scene.rendering.height),
         sampling: scene.rendering.sampling,
         depth: scene.rendering.depth,

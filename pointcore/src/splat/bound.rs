@@ -4,7 +4,6 @@ use super::fates::Fates;
 use super::host::SplatCounters;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::Reordering;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use serde::Serialize;
 
 /// Cycles between two copies in the reorder stage with lists: one is appended and one leaves in a tick.
@@ -34,14 +33,9 @@ pub fn copy_interval(config: &Config) -> u32 {
     order.max(config.payload_beats)
 }
 
-/// Cycles that a sample takes: one for each bin of the exposure.
+/// Cycles that a sample takes.
 pub(super) const fn sample_interval(config: &Config) -> u32 {
-    if config.has_motion() { config.time_bins } else { 1 }
-}
-
-/// Cycles between two splats in setup.
-const fn setup_interval(config: &Config) -> u32 {
-    if config.has_motion() { MOTION_SETUP_INTERVAL } else { config.setup_interval }
+    if config.has_motion() { config.sample_interval } else { 1 }
 }
 
 /// Every resource of a frame that was run.
@@ -54,7 +48,7 @@ pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [Fram
         ("copies in the splitter", times(fates.copies, splitter_interval(config))),
         ("copies on their way to a rasterizer", by_rasterizer(times(fates.copies, copy_interval(config)))),
         ("splats in transform", times(fates.total(), config.transform_interval)),
-        ("splats in setup", times(fates.set_up, setup_interval(config))),
+        ("splats in setup", times(fates.set_up, config.setup_interval)),
         ("reconstruction buffer", counters.buffer.busy_cycles),
         ("memory of payloads", counters.payloads.busy_cycles),
     ]
@@ -89,9 +83,8 @@ mod tests {
         assert_eq!(cycles(&two)[..3], [50, 30, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };
         assert_eq!(cycles(&lists)[2], 60);
-        let moving = Config { time_bins: 4, ..lists.clone() };
+        let moving = Config { time_bins: 4, sample_interval: 2, ..lists.clone() };
         assert_eq!(cycles(&Config { payload_beats: 4, ..lists })[2], 120);
-        let moving = cycles(&moving);
-        assert_eq!((moving[0], moving[4]), (400, 12 * u64::from(MOTION_SETUP_INTERVAL)));
+        assert_eq!(cycles(&moving)[0], 200);
     }
 }

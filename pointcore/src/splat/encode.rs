@@ -6,7 +6,6 @@ use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::uniforms::uniforms;
 use pointcore_contract::Splat;
-use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{self, Attributes, Uniforms};
 
 /// The record that closes a frame.
@@ -53,11 +52,5 @@ fn splat_record(splat: &Splat, plan: &Plan) -> records::Splat {
     }
     attributes[config.continuous as usize..config.attributes() as usize].fill(splat.material.into());
     let tangents = splat.tangents.map(vector);
-    records::Splat { end: false, center: vector(splat.center), tangents, motion: still(config), attributes }
-}
-
-/// The motion of what stands still for all of the exposure.
-#[must_use]
-pub fn still(config: &Config) -> records::Motion {
-    records::Motion { way: [0; 3], part: [-1.0, 1.0].map(|time| encode(config.geometry, time)) }
+    records::Splat { center: vector(splat.center), tangents, attributes, ..records::Splat::default() }
 }

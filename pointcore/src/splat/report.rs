@@ -51,7 +51,7 @@ pub struct SplatReport {
     pub cycles_per_sample: f64,
     /// Samples inside their splat, which reach the accumulator.
     pub accumulated: u64,
-    /// Samples evaluated for each that is inside its splat; where splats move, bins.
+    /// Samples evaluated for each that is inside its splat.
     pub visited_ratio: f64,
     /// Samples inside their splat for each splat drawn.
     pub samples_per_splat: f64,
@@ -187,8 +187,8 @@ impl SplatReport {
         let bounds = bounds(run.config, &run.fates, run.counters);
         let bound = bounds.into_iter().max_by_key(|bound| bound.cycles).expect("a frame uses resources");
         let (fragments, [width, height]) = (run.drawn.fragments(), run.drawn.size());
-        let interval = u64::from(sample_interval(run.config));
-        let (places, evaluated) = ((width * height) as u64 * interval, samples * interval);
+        let places = (width * height) as u64 * u64::from(run.config.time_bins.max(1));
+        let busy = samples * u64::from(sample_interval(run.config));
         let Fates { drawn, copies, .. } = run.fates;
         Self {
             scene: run.scene.to_owned(),
@@ -209,17 +209,17 @@ impl SplatReport {
             samples,
             cycles_per_sample: ratio(cycles, samples),
             accumulated,
-            visited_ratio: ratio(evaluated, accumulated),
+            visited_ratio: ratio(samples, accumulated),
             samples_per_splat: ratio(accumulated, drawn),
             coverage: ratio(fragments, places),
             overdraw: ratio(accumulated, fragments),
-            rasterizer_utilisation: share(evaluated),
+            rasterizer_utilisation: share(busy),
             accumulator_utilisation: share(accumulated),
             hazard_fraction: share(hazard),
             slot_wait_fraction: share(slot_wait),
             starved_fraction: share(starved),
-            // While a sample's other bins are evaluated, the next waits.
-            blocked_fraction: share(blocked.saturating_sub(evaluated - samples)),
+            // A sample that takes several cycles is busy in all of them.
+            blocked_fraction: share(blocked.saturating_sub(busy - samples)),
             buffer_read_bytes: buffer.read * pixel_bytes,
             buffer_write_bytes: buffer.written * pixel_bytes,
             buffer_moved_bytes: buffer.bytes,
@@ -247,19 +247,7 @@ impl SplatReport {
             Some(_) => "the pictures are equal".to_owned(),
             None => "nothing to compare: both pictures are empty".to_owned(),
         };
-        let (counted, visited) = match self.time_bins {
-            0 => ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
-            bins => {
-                let all = self.samples * u64::from(bins);
-                (
-                    "bins",
-                    format!(
-                        "{} visited; of their {all} bins {} are inside their splat",
-                        self.samples, self.accumulated
-                    ),
-                )
-            }
-        };
+        let counted = if self.time_bins > 0 { "bins of samples" } else { "samples" };
         let mut rows = vec![
             ("engine", self.engine.clone()),
             ("lockstep", compared),
@@ -273,7 +261,7 @@ impl SplatReport {
             ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.bound_fraction))),
             ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
             ("cycles per tile copy", format!("{:.2}", self.cycles_per_copy)),
-            ("samples", visited),
+            ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
             ("visited for each inside its splat", format!("{:.3}", self.visited_ratio)),
             ("inside for each splat drawn", format!("{:.2}", self.samples_per_splat)),
             ("coverage, overdraw", format!("{} of the {counted}, {:.2}", percent(self.coverage), self.overdraw)),

@@ -57,29 +57,26 @@ fn attributes(random: &mut Rng) -> (u32, u32) {
     (both - cardinal, cardinal)
 }
 
-/// Columns and rows of an image, a multiple of so many columns, as many as a splat can cover in time.
-fn image(random: &mut Rng, columns: u32) -> (u32, u32) {
+/// Columns and rows of an image, a multiple of so many columns, as many as a splat can cover in time with so many bins of the exposure.
+fn image(random: &mut Rng, columns: u32, bins: u32) -> (u32, u32) {
     let edge = |random: &mut Rng| mostly(random, 1..=72, 1..=splat::config::IMAGE_EDGE_MAX);
     let (width, height) = (edge(random), edge(random));
     let width = width.next_multiple_of(columns);
-    (width, height.min(SAMPLES_MAX / width))
+    (width, height.min((SAMPLES_MAX / width / bins).max(1)))
 }
 
 /// Bins of the exposure, in one renderer of six.
-fn time_bins(random: &mut Rng, sampling: Sampling) -> u32 {
-    if random.u8(..6) > 0 {
-        return 0;
-    }
-    one_of(random, &[1, 2, 4, 8]).min(TILE_SIZE / sampling.columns())
+fn time_bins(random: &mut Rng) -> u32 {
+    if random.u8(..6) > 0 { 0 } else { one_of(random, &[1, 2, 4, 8]) }
 }
 
 /// A renderer.
 #[must_use]
 pub fn renderer(random: &mut Rng) -> splat::Config {
     let sampling = one_of(random, &[Sampling::Center, Sampling::Center, Sampling::Flipquad]);
-    let time_bins = time_bins(random, sampling);
+    let time_bins = time_bins(random);
     let moves = time_bins > 0;
-    let (width, height) = image(random, sampling.columns() * time_bins.max(1));
+    let (width, height) = image(random, sampling.columns(), time_bins.max(1));
     let geometry = float(random, &[Format::F32, Format::F24, Format::F24, Format::BF16, Format::BF16]);
     let depth = one_of(random, &[FragmentDepth::Center, FragmentDepth::Plane]);
     let rasterizer = raster_format(random, geometry, depth).filter(|_| !moves);
@@ -122,6 +119,7 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         memory_ports: one_of(random, &[1, 1, 2, MEMORY_PORTS_MAX]).min(rasterizers),
         transform_interval: random.u32(1..=16),
         setup_interval: random.u32(1..=16),
+        sample_interval: random.u32(1..=8),
         accumulate_stages: random.u32(5..=12),
         ..splat::Config::default()
     }

@@ -89,7 +89,7 @@ pub fn camera(config: &Config) -> Camera {
 #[must_use]
 pub fn rendering(config: &Config) -> Rendering {
     Rendering {
-        width: (config.width >> config.bin_bits()) as usize,
+        width: config.width as usize,
         height: config.height as usize,
         sampling: config.sampling,
         depth: config.depth,
@@ -171,11 +171,22 @@ pub fn splat(random: &mut Rng, family: Family) -> MovingSplat {
     MovingSplat { splat, motion: motion.as_vec3().as_dvec3(), part }
 }
 
-/// A splat of a family with a sample near its way.
+/// What of a splat is there in one of so many bins of the exposure, any one in which it is.
+fn in_bin(random: &mut Rng, moving: MovingSplat, bins: u32) -> MovingSplat {
+    let parts: Vec<_> = Interval::equal_parts(bins as usize).filter_map(|bin| moving.part.intersection(bin)).collect();
+    let part = one_of(random, &parts);
+    let center = DVec3::from_array(moving.splat.center.map(f64::from));
+    let center = center + (part.middle() - moving.part.middle()) * moving.motion;
+    let splat = Splat { center: center.as_vec3().to_array(), ..moving.splat };
+    MovingSplat { splat, part, ..moving }
+}
+
+/// A splat of a family in a bin of the exposure, with a sample near its way.
 #[must_use]
 pub fn moved(random: &mut Rng, family: Family, config: &Config) -> Moved {
     let (camera, rendering) = (camera(config), rendering(config));
     let splat = splat(random, family);
+    let splat = in_bin(random, splat, config.time_bins);
     let double = |vector: [f32; 3]| DVec3::from_array(vector.map(f64::from));
     let time = uniform(random, splat.part.begin, splat.part.end) - splat.part.middle();
     let [first, second] = splat.splat.tangents.map(double);
@@ -206,7 +217,7 @@ pub fn encoded(moving: &MovingSplat, config: &Config, random: &mut Rng) -> recor
     }
 }
 
-/// A motion of any speed, or none, for all of the exposure or a part of it; nothing where nothing moves.
+/// A motion of any speed, or none, in a bin of the exposure or a part of it; nothing where nothing moves.
 #[must_use]
 pub fn motion(config: &Config, random: &mut Rng) -> records::Motion {
     if !config.has_motion() {
@@ -219,14 +230,22 @@ pub fn motion(config: &Config, random: &mut Rng) -> records::Motion {
         3 => 8.0,
         _ => (-5.0 * random.f32()).exp2(),
     };
-    let mut part = match random.u8(..4) {
-        0 => [(); 2].map(|()| 2.0 * random.f32() - 1.0),
-        1 => [(); 2].map(|()| 2.0 * random.u32(0..=config.time_bins) as f32 / config.time_bins as f32 - 1.0),
-        _ => [-1.0, 1.0],
+    let border = |index: u32| 2.0 * index as f32 / config.time_bins as f32 - 1.0;
+    let bin = random.u32(..config.time_bins);
+    let part = match random.u8(..8) {
+        // Across borders: what is there is what lies in the bin of the middle.
+        0 => sorted([(); 2].map(|()| 2.0 * random.f32() - 1.0)),
+        1 => sorted([(); 2].map(|()| border(random.u32(0..=config.time_bins)))),
+        2 | 3 => sorted([(); 2].map(|()| border(bin) + random.f32() * (border(bin + 1) - border(bin)))),
+        _ => [border(bin), border(bin + 1)],
     };
-    part.sort_by(f32::total_cmp);
     let way = [(); 3].map(|()| number(speed * (2.0 * random.f32() - 1.0)));
     records::Motion { way, part: part.map(number) }
+}
+
+fn sorted(mut ends: [f32; 2]) -> [f32; 2] {
+    ends.sort_by(f32::total_cmp);
+    ends
 }
 
 /// What setup's splats share.

@@ -75,7 +75,7 @@ const SHORT_FRAMES: usize = 60;
 
 /// Frames of copies: one of a single tile, one that wanders over the image, an empty one, one of random tiles, and short ones.
 fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
-    let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
+    let (columns, rows) = (config.tile_columns(), config.height.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
     let short = (0..SHORT_FRAMES).map(|_| random.u32(0..24));
     let counts: Vec<_> = [1500, 600, 0, 300].into_iter().chain(short).collect();

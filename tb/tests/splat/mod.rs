@@ -123,9 +123,16 @@ pub fn integer_configs() -> [Config; 3] {
 pub fn moving_configs() -> [Config; 4] {
     let [bare, full, mixed] = configs();
     let moving = |config: Config, time_bins: u32| {
-        let columns = config.sampling.columns() * time_bins;
-        let width = (2 * config.width).next_multiple_of(columns);
-        Config { width, time_bins, culling: Feature::On, screen_filter: Feature::Off, ..config }
+        let sample_interval = config.setup_interval.min(3);
+        let setup_interval = 4 * config.setup_interval;
+        Config {
+            time_bins,
+            sample_interval,
+            setup_interval,
+            culling: Feature::On,
+            screen_filter: Feature::Off,
+            ..config
+        }
     };
     let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..full.clone() };
     let newton = Config { geometry: Format::F24.flushed(), division: Division::Newton, ..mixed };

@@ -156,7 +156,7 @@ pub fn footprints(config: &Config, count: usize) -> Vec<SetupSplat> {
 
 /// The tiles of the image.
 pub fn tiles(config: &Config) -> Vec<u32> {
-    let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(TILE_SIZE));
+    let (columns, rows) = (config.tile_columns(), config.height.div_ceil(TILE_SIZE));
     (0..rows).flat_map(|row| (0..columns).map(move |column| row << config.tile_column_bits() | column)).collect()
 }
 

@@ -40,19 +40,15 @@ pub enum ConfigError {
         rasterizers: u32,
     },
     /// A row of samples that ends within a pixel.
-    #[error(
-        "`width` = {width}: expected a multiple of {columns}, the samples that a pixel has in a row by `sampling` and `time_bins`"
-    )]
+    #[error("`width` = {width}: expected a multiple of {columns}, the samples that a pixel has in a row by `sampling`")]
     CutPixel {
         /// Samples in a row.
         width: u32,
         /// Samples of a pixel in a row.
         columns: u32,
     },
-    /// A number of bins that tiles cannot be cut into.
-    #[error(
-        "`time_bins` = {bins}: expected 0 where nothing moves, or a power of two up to {most}: a pixel's samples are in one tile"
-    )]
+    /// A number of bins that there may not be.
+    #[error("`time_bins` = {bins}: expected 0 where nothing moves, or a power of two up to {most}")]
     TimeBins {
         /// Parts of the exposure.
         bins: u32,

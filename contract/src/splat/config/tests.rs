@@ -83,15 +83,14 @@ fn index_widths() {
 }
 
 #[test]
-fn samples_that_move_have_their_bins_in_one_tile() {
+fn the_bins_of_a_place_have_tiles_side_by_side() {
     let moving = |time_bins| Config { time_bins, screen_filter: Feature::Off, ..Config::default() };
     let message = |config: Config| config.validate().map_err(|error| error.to_string()).unwrap_err();
     assert!([0, 1, 2, 4, 8].iter().all(|&bins| moving(bins).validate().is_ok()));
     assert!(message(moving(3)).contains("power of two up to 8"));
-    let two_columns = |time_bins| Config { sampling: Sampling::Flipquad, ..moving(time_bins) };
-    assert_eq!((two_columns(4).columns_a_pixel(), two_columns(4).bin_time_bits()), (8, 15));
-    assert!(two_columns(4).validate().is_ok() && message(two_columns(8)).contains("up to 4"));
-    assert!(message(Config { width: 66, ..moving(4) }).contains("a multiple of 4"));
+    let config = Config { width: 66, ..moving(4) };
+    assert_eq!((config.tile_columns(), config.column_bits(), config.tile_column_bits()), (36, 7, 6));
+    assert_eq!((config.last_place()[0], config.bin_time_bits()), (35, 15));
     assert!(message(Config { screen_filter: Feature::On, ..moving(1) }).contains("`screen_filter` = \"off\""));
     assert!(message(Config { culling: Feature::Off, ..moving(1) }).contains("`culling` = \"on\""));
     let narrow = Some(Format::BF16.flushed().into());

@@ -86,6 +86,10 @@ pub struct SetupSplat {
     /// Footprint and depth band of a splat that may move.
     #[when(config.has_motion())]
     pub moving: Moving,
+    /// The bin of the exposure in which it is there.
+    #[when(config.bin_bits() > 0)]
+    #[bits(config.bin_bits())]
+    pub bin: u8,
     /// Attributes.
     #[count(config.attributes())]
     #[name(attribute_name(config, i))]

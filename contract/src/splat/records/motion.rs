@@ -4,7 +4,7 @@ use super::{ATTRIBUTES, AXES, PIXEL_BITS, attribute_name, made_bits};
 use crate::record;
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
-use crate::splat::motion::{SHARE_BITS, SHUTTER, TIME_BINS_MAX, TIME_BITS, TIMES_MAX};
+use crate::splat::motion::{SHARE_BITS, SHUTTER, TIME_BINS_MAX, TIME_BITS};
 
 /// The motion of a splat along a line, on which it is where [`Splat::center`](super::Splat::center) says at `τ = 0`.
 #[record(config: Config)]
@@ -78,17 +78,20 @@ pub struct MovingPlace {
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
-    /// Column of the image, of samples as if nothing moved.
-    #[bits(config.column_bits() - config.bin_bits())]
+    /// Column of the image.
+    #[bits(config.column_bits())]
     pub column: u16,
     /// Row of the image.
     #[bits(config.row_bits())]
     pub row: u16,
+    /// The bin of the exposure, an odd one or not: of that times are counted.
+    #[when(config.bin_bits() > 0)]
+    pub odd_bin: bool,
     /// The splat.
     pub footprint: MovingFootprint,
 }
 
-/// What a moving splat does to a sample, bin by bin.
+/// What a moving splat does to a sample in its bin of the exposure.
 #[record(config: Config)]
 pub struct MovingSample {
     /// Closes its copy.
@@ -98,22 +101,19 @@ pub struct MovingSample {
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
-    /// Pixel of the tile, that of its first bin: row above column.
+    /// Pixel of the tile: row above column.
     #[bits(PIXEL_BITS)]
     pub pixel: u8,
-    /// The borders of bins, taken into the time for which the sample is covered: from the first to the last. Where two that follow each other are
-    /// the same, the bin between them sees nothing.
-    #[count(config.time_bins + 1)]
-    #[bits(TIME_BITS)]
-    pub time: [u32; TIMES_MAX],
-    /// Depth at each of these times.
-    #[count(config.time_bins + 1)]
+    /// Begin and end of the time for which it is covered, counted from the bin's end and from its begin as a [`SPAN`] has them.
+    #[name(SPAN[i])]
+    #[bits(config.bin_time_bits())]
+    pub time: [u32; 2],
+    /// Depth at begin and end.
     #[bits(DEPTH_BITS)]
-    pub depth: [u32; TIMES_MAX],
-    /// The integral of the kernel over each bin; that of one over the exposure is one.
-    #[count(config.time_bins)]
+    pub depth: [u32; 2],
+    /// The integral of the kernel over that time; that of one over the exposure is one.
     #[bits(SHARE_BITS)]
-    pub share: [u32; TIME_BINS_MAX],
+    pub share: u32,
 }
 
 /// Names of the two numbers that say for how long a bin sees something: what is left of the bin at the earliest time at which it does, and what
@@ -154,6 +154,10 @@ pub struct Bin {
 /// What is seen of a bin of the exposure, nearest surface and all else.
 #[record(config: Config)]
 pub struct Seen {
+    /// The bin.
+    #[when(config.bin_bits() > 0)]
+    #[bits(config.bin_bits())]
+    pub bin: u8,
     /// The exposure's share for which the nearest surface is seen.
     #[name("share")]
     #[bits(TIME_BITS)]

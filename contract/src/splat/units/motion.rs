@@ -24,14 +24,14 @@ pub struct MotionSetup {
     near_plane: Input<u32>,
 }
 
-/// Integrates a moving splat's kernel over each bin of the exposure (eq. 4.19).
+/// Integrates a moving splat's kernel over its bin of the exposure (eq. 4.19).
 #[unit(splat_motion_evaluation, config: Config)]
 #[when(config.has_motion())]
 pub struct MotionEvaluation {
     /// Samples within bounds.
     #[port("in")]
     input: In<MovingPlace>,
-    /// Samples, bin by bin.
+    /// Samples.
     out: Out<MovingSample>,
     /// Depth is `depth_a` and what follows from the distance.
     #[bits(config.geometry.width())]

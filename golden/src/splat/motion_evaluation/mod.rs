@@ -1,5 +1,5 @@
 //! Evaluation of splats that move while the shutter is open (thesis chapter 4): the time for which a sample is covered, the depth then, and the
-//! kernel's integral over each bin of the exposure.
+//! kernel's integral over it, all within one bin of the exposure.
 //!
 //! All in the geometry format but the tables' sums, which are integers. The error of a share and what it hangs on are derived in
 //! docs/units/splat/motion_evaluation.md; `tests.rs` holds it against f64.
@@ -21,7 +21,6 @@ pub use pointcore_contract::splat::units::motion_evaluation::{In, Out};
 use pointcore_contract::splat::{Config, Division};
 use pointcore_contract::{Format, Sampling};
 use share::Kernel;
-use std::iter;
 
 /// The evaluation unit.
 #[derive(Clone, Debug)]
@@ -31,8 +30,8 @@ pub struct MotionEvaluation {
     division: Division,
     has_planes: bool,
     has_depth_plane: bool,
-    /// Bins of the exposure.
-    bins: usize,
+    /// Bits of a time within a bin.
+    time_bits: u32,
     kernel: Kernel,
     datapath: Datapath<MovingSample>,
 }
@@ -47,9 +46,9 @@ impl MotionEvaluation {
             division: config.division,
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
-            bins: config.time_bins as usize,
+            time_bits: config.bin_time_bits(),
             kernel: Kernel::new(config.kernel_gamma, config.time_bins),
-            datapath: Datapath::new(latency, config.time_bins),
+            datapath: Datapath::new(latency, config.sample_interval),
         }
     }
 
@@ -68,33 +67,24 @@ impl MotionEvaluation {
     /// What the splat does to the sample at a place, inside or not.
     #[must_use]
     pub fn evaluate(&self, place: &MovingPlace, depth_a: u32) -> MovingSample {
-        let MovingPlace { last, slot, column, row, ref footprint } = *place;
+        let MovingPlace { last, slot, column, row, odd_bin, ref footprint } = *place;
         let course = Course::new(self, footprint, [column, row].map(u32::from));
-        let times = self.times(&course);
+        let times = [course.begin, course.end];
         let zero = self.number(0);
-        let since_begin = |time: Number| (time + zero.of(1.0)).to_fixed(TIME_BITS, TIME_FRACTION_BITS - 1) as u32;
-        let local = |place: u32| place % TILE_SIZE;
-        let first_bin = u32::from(column) * self.bins as u32;
-        let pixel = (local(row.into()) * TILE_SIZE + local(first_bin)) as u8;
-        let mut sample = MovingSample { last, inside: course.is_inside, slot, pixel, ..MovingSample::default() };
-        for (index, &time) in times.iter().enumerate() {
-            sample.time[index] = since_begin(time);
-            sample.depth[index] = self.depth(&course, footprint, time, depth_a);
+        let [begin, end] = times.map(|time| (time + zero.of(1.0)).to_fixed(TIME_BITS, TIME_FRACTION_BITS - 1) as u32);
+        // Modulo two bins, of which every other border is zero.
+        let (mask, length) = ((1 << self.time_bits) - 1, 1 << (self.time_bits - 1));
+        let border = |is_odd: bool| if is_odd { length } else { 0_u32 };
+        let local = |place: u16| u32::from(place) % TILE_SIZE;
+        MovingSample {
+            last,
+            inside: course.is_inside,
+            slot,
+            pixel: (local(row) * TILE_SIZE + local(column)) as u8,
+            time: [border(!odd_bin).wrapping_sub(begin) & mask, end.wrapping_sub(border(odd_bin)) & mask],
+            depth: times.map(|time| self.depth(&course, footprint, time, depth_a)),
+            share: self.kernel.share(&course, times),
         }
-        for (share, times) in sample.share.iter_mut().zip(times.windows(2)) {
-            *share = self.kernel.share(&course, [times[0], times[1]]);
-        }
-        sample
-    }
-
-    /// The borders of bins within the time for which the sample is covered.
-    fn times(&self, course: &Course) -> Vec<Number> {
-        let one = self.number(0).of(1.0);
-        let inner = (1..self.bins).map(|index| {
-            let border = one.of(2.0 * index as f32 / self.bins as f32 - 1.0);
-            border.max(course.begin).min(course.end)
-        });
-        iter::once(course.begin).chain(inner).chain(iter::once(course.end)).collect()
     }
 
     /// Depth at a time: of the splat's plane, or of its centre.

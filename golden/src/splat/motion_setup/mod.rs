@@ -19,7 +19,6 @@ use instant::Instant;
 use life::Life;
 use pointcore_contract::Format;
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use pointcore_contract::splat::records::{self, EpsilonScale, Motion, MovingFootprint, SetupSplat, Splat, Viewport};
 pub use pointcore_contract::splat::units::motion_setup::{In, Out};
 use pointcore_contract::splat::{Config, Division};
@@ -72,7 +71,7 @@ impl MotionSetup {
             per_pixel: [config.columns_a_pixel(), 1],
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
-            datapath: Datapath::new(latency, MOTION_SETUP_INTERVAL),
+            datapath: Datapath::new(latency, config.setup_interval),
         }
     }
 
@@ -100,12 +99,9 @@ impl MotionSetup {
         }
         let vector = |bits: [u32; 3]| bits.map(|bits| self.number(bits));
         let Motion { way, part } = splat.motion;
-        let moving = Moving {
-            center: vector(splat.center),
-            tangents: splat.tangents.map(vector),
-            motion: vector(way),
-            part: part.map(|bits| self.number(bits)),
-        };
+        let (bin, part) = self.bin(part.map(|bits| self.number(bits)));
+        let moving =
+            Moving { center: vector(splat.center), tangents: splat.tangents.map(vector), motion: vector(way), part };
         let life = Life::of(self, &moving, uniforms);
         if let Some(dropped) = life.dropped {
             return Err(dropped);
@@ -114,7 +110,20 @@ impl MotionSetup {
         let instant = Instant::of(self, &moving, life.origin, uniforms);
         let footprint = self.footprint(&moving, &life, &instant, uniforms).ok_or(Dropped::Facing)?;
         let moving = records::Moving { footprint, epsilon: self.epsilon(&life, &instant, uniforms) };
-        Ok(SetupSplat { moving, attributes: splat.attributes, bounds, diagonals, ..SetupSplat::default() })
+        Ok(SetupSplat { moving, bin, attributes: splat.attributes, bounds, diagonals, ..SetupSplat::default() })
+    }
+
+    /// The bin of the exposure in which the middle of a part lies, and what of the part lies there.
+    fn bin(&self, [begin, end]: [Number; 2]) -> (u8, [Number; 2]) {
+        let (bits, one) = (self.config.bin_bits(), self.one());
+        if bits == 0 {
+            return (0, [begin, end]);
+        }
+        // In halves of the exposure, which has two.
+        let middle = (begin + end) * one.of(0.5) + one;
+        let bin = middle.to_fixed(bits, bits - 1);
+        let border = |index: u64| one.of(index as f32 / (1 << (bits - 1)) as f32 - 1.0);
+        (bin as u8, [begin.max(border(bin)), end.min(border(bin + 1))])
     }
 
     /// What evaluation needs; `None` of a splat seen edge-on.

@@ -4,14 +4,13 @@ use crate::splat::uniforms::SetupUniforms;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
 use pointcore_contract::splat::Feature;
-use pointcore_contract::splat::records::ImageRectangle;
 
 fn number(value: f64) -> u32 {
     (value as f32).to_bits()
 }
 
 fn config() -> Config {
-    Config { width: 4 * 64, height: 48, time_bins: 4, screen_filter: Feature::Off, ..Config::default() }
+    Config { width: 64, height: 48, time_bins: 1, screen_filter: Feature::Off, ..Config::default() }
 }
 
 fn uniforms() -> MotionUniforms {
@@ -49,7 +48,7 @@ fn at(z: f64) -> Splat {
 fn a_splat_that_does_not_move_is_where_the_static_one_is() {
     let (config, uniforms) = (config(), uniforms());
     let unit = MotionSetup::new(&config, 1);
-    let still = Setup::new(&Config { width: config.width / config.time_bins, time_bins: 0, ..config }, 1);
+    let still = Setup::new(&Config { time_bins: 0, ..config }, 1);
     let MotionUniforms { viewport, epsilon, near_plane } = uniforms;
     let of_still = SetupUniforms { viewport, epsilon, near_plane, filter_radius: 0 };
     for_each_seed("motion_setup", |random| {
@@ -62,9 +61,7 @@ fn a_splat_that_does_not_move_is_where_the_static_one_is() {
                 different += u32::from(moving.is_some() != expected.is_some());
                 continue;
             };
-            let ImageRectangle { left, right, .. } = moving.bounds;
-            let columns = ImageRectangle { left: left / 4, right: right / 4, ..moving.bounds };
-            assert_eq!((left % 4, right % 4, columns), (0, 3, expected.bounds));
+            assert_eq!(moving.bounds, expected.bounds);
             assert_eq!(moving.moving.footprint.center, expected.footprint.center);
             let (hull, limits) = (moving.diagonals, expected.diagonals);
             assert!(hull.first_sum <= limits.first_sum && limits.last_sum <= hull.last_sum);
@@ -100,7 +97,7 @@ fn bounds_hold_those_of_every_instant() {
                 let Some(instant) = unit.setup(&part, &uniforms) else { continue };
                 let (outer, inner) = (whole.bounds, instant.bounds);
                 // Rounding at a border within life may take a pixel more than rounding at its ends.
-                assert!(outer.left <= inner.left + 4 && inner.right <= outer.right + 4, "{inner:?} in {outer:?}");
+                assert!(outer.left <= inner.left + 1 && inner.right <= outer.right + 1, "{inner:?} in {outer:?}");
                 let (limits, within) = (whole.diagonals, instant.diagonals);
                 assert!(limits.first_sum <= within.first_sum + 1 && within.last_sum <= limits.last_sum + 1);
                 assert!(limits.first_difference <= within.first_difference + 1);
@@ -110,6 +107,19 @@ fn bounds_hold_those_of_every_instant() {
         }
         assert!(drawn > 100, "{drawn}");
     });
+}
+
+#[test]
+fn a_splat_is_there_in_the_bin_of_its_middle() {
+    let uniforms = uniforms();
+    let unit = MotionSetup::new(&Config { time_bins: 4, ..config() }, 1);
+    let cases = [([-1.0, -0.5], 0, [-1.0, -0.5]), ([0.5, 1.0], 3, [0.5, 1.0]), ([-0.4, -0.2], 1, [-0.4, -0.2])];
+    // Across a border, and across several.
+    for (part, bin, life) in cases.into_iter().chain([([-0.6, 0.0], 1, [-0.5, 0.0]), ([-1.0, 1.0], 2, [0.0, 0.5])]) {
+        let splat = Splat { motion: Motion { part: part.map(number), ..Motion::default() }, ..at(5.0) };
+        let drawn = unit.setup(&splat, &uniforms).expect("it faces the eye");
+        assert_eq!((drawn.bin, drawn.moving.footprint.life), (bin, life.map(number)), "{part:?}");
+    }
 }
 
 #[test]

@@ -1,8 +1,7 @@
-//! Rasterizer of splats that move while the shutter is open: one sample after the other is integrated over the exposure, and each bin that it
-//! falls into becomes a sample of its own (thesis chapter 4).
+//! Rasterizer of splats that move while the shutter is open: one sample after the other is integrated over a bin of the exposure (thesis chapter 4).
 //!
-//! Samples of the octagon, evaluated in as many cycles as there are bins by [motion evaluation](crate::splat::motion_evaluation); bins that a splat does
-//! not cover are left out, but for a copy's last. ε and attributes wait in a queue beside the evaluation.
+//! Samples of the octagon, evaluated by [motion evaluation](crate::splat::motion_evaluation); what a splat does not cover is left out, but for a
+//! copy's last. ε and attributes wait in a queue beside the evaluation.
 
 use super::{In, Out, Scanner};
 use crate::splat::{MotionEvaluation, motion_evaluation};
@@ -10,7 +9,7 @@ use crate::stream::Fifo;
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, WEIGHT_BITS};
-use pointcore_contract::splat::motion::{SHARE_BITS, TIME_FRACTION_BITS};
+use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_contract::splat::records::{Attributes, Band, MovingPlace, MovingSample, Sample, SamplePlace};
 use pointcore_contract::splat::units::RasterizerEvents;
 
@@ -25,8 +24,6 @@ pub struct MotionRasterizer {
     /// Half the depth bands of the copies under way, and their attributes.
     copies: Fifo<(u32, Attributes)>,
     evaluation: MotionEvaluation,
-    /// The bin of the sample that leaves the evaluation.
-    bin: usize,
     events: RasterizerEvents,
 }
 
@@ -39,7 +36,6 @@ impl MotionRasterizer {
             scanner: Scanner::new(config),
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             evaluation: MotionEvaluation::new(config, latency),
-            bin: 0,
             events: RasterizerEvents::default(),
         }
     }
@@ -48,28 +44,19 @@ impl MotionRasterizer {
         self.evaluation.in_ready() && self.scanner.is_idle() && self.copies.in_ready()
     }
 
-    /// What a sample's bin sees of it; `None` if that is nothing, and nothing hangs on it.
+    /// What a bin sees of a sample; `None` if that is nothing, and nothing hangs on it.
     #[must_use]
-    pub fn bin(config: &Config, sample: &MovingSample, bin: usize, copy: (u32, Attributes)) -> Option<Sample> {
+    pub fn sample(config: &Config, sample: &MovingSample, copy: (u32, Attributes)) -> Option<Sample> {
         let (epsilon, attributes) = copy;
+        let MovingSample { last, inside, slot, pixel, time, depth: [begin, end], share } = *sample;
         // What a bin sees weighs as much as if that were all of the exposure.
-        let weight = (sample.share[bin] >> (SHARE_BITS - WEIGHT_BITS - config.bin_bits())).min(WEIGHT_MAX);
-        let inside = sample.inside && weight > 0;
-        let last = sample.last && bin + 1 == config.time_bins as usize;
-        let depth = (sample.depth[bin] + sample.depth[bin + 1]) / 2;
-        let length = 1 << (TIME_FRACTION_BITS - config.bin_bits());
-        let [begin, end] = [bin as u32 * length, (bin as u32 + 1) * length];
-        let since = |from: u32, to: u32| to.wrapping_sub(from) & (2 * length - 1);
+        let weight = (share >> (SHARE_BITS - WEIGHT_BITS - config.bin_bits())).min(WEIGHT_MAX);
+        let inside = inside && weight > 0;
+        let depth = (begin + end) / 2;
         (inside || last).then(|| Sample {
-            place: SamplePlace {
-                last,
-                inside,
-                slot: sample.slot,
-                pixel: sample.pixel + bin as u8,
-                weight: weight as u16,
-            },
+            place: SamplePlace { last, inside, slot, pixel, weight: weight as u16 },
             band: Band { depth, low: depth.saturating_sub(epsilon), high: (depth + epsilon).min(DEPTH_MAX) },
-            time: [since(sample.time[bin], end), since(begin, sample.time[bin + 1])],
+            time,
             attributes,
         })
     }
@@ -77,7 +64,7 @@ impl MotionRasterizer {
     /// What is shown of the sample that leaves the evaluation.
     fn shown(&self) -> Option<Sample> {
         let sample = self.evaluation.out()?;
-        Self::bin(&self.config, sample, self.bin, self.copies.out().copied().unwrap_or_default())
+        Self::sample(&self.config, sample, self.copies.out().copied().unwrap_or_default())
     }
 }
 
@@ -93,7 +80,6 @@ impl Model for MotionRasterizer {
     fn clock(&mut self, inputs: &In) {
         let shown = self.shown();
         let passes = self.evaluation.out().is_some() && (shown.is_none() || inputs.out_ready);
-        let is_last_bin = self.bin + 1 == self.config.time_bins as usize;
 
         let advances = self.evaluation.in_ready();
         let taken = inputs.input.filter(|_| self.in_ready());
@@ -104,18 +90,12 @@ impl Model for MotionRasterizer {
                 slot: scan.copy.slot,
                 column,
                 row,
+                odd_bin: scan.bin(&self.config) % 2 == 1,
                 footprint: scan.copy.moving.footprint,
             }
         });
-        self.evaluation.clock(&motion_evaluation::In {
-            input: place,
-            out_ready: passes && is_last_bin,
-            depth_a: inputs.depth_a,
-        });
+        self.evaluation.clock(&motion_evaluation::In { input: place, out_ready: passes, depth_a: inputs.depth_a });
         self.events = self.scanner.clock(advances, taken);
-        if passes {
-            self.bin = if is_last_bin { 0 } else { self.bin + 1 };
-        }
         let copy = taken.map(|copy| (copy.moving.epsilon, copy.attributes));
         self.copies.step(copy, inputs.out_ready && shown.is_some_and(|sample| sample.place.last));
     }

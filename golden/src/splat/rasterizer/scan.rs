@@ -23,25 +23,28 @@ pub fn columns(per_pixel: u32, bounds: &TileRectangle, diagonals: &TileDiagonals
 pub(super) struct Scan {
     pub copy: CompleteCopy,
     per_pixel: u32,
-    /// Columns from a sample to the next: the bins of one follow each other.
-    step: u16,
     pub column: u16,
     pub row: u16,
 }
 
 impl Scan {
     pub fn new(config: &Config, copy: CompleteCopy) -> Self {
-        let (per_pixel, step) = (config.columns_a_pixel(), config.time_bins.max(1) as u16);
-        let row = copy.bounds.top;
-        Self { copy, per_pixel, step, column: *columns(per_pixel, &copy.bounds, &copy.diagonals, row).start(), row }
+        let (per_pixel, row) = (config.columns_a_pixel(), copy.bounds.top);
+        Self { copy, per_pixel, column: *columns(per_pixel, &copy.bounds, &copy.diagonals, row).start(), row }
     }
 
-    /// Column and row of the current sample in the image, of samples as if nothing moved.
+    /// The copy's bin of the exposure.
+    pub const fn bin(&self, config: &Config) -> u32 {
+        self.copy.tile & ((1 << config.bin_bits()) - 1)
+    }
+
+    /// Column and row of the current sample in the image.
     pub fn place(&self, config: &Config) -> [u32; 2] {
         let tile_column_bits = config.tile_column_bits();
-        let tile = [self.copy.tile & ((1 << tile_column_bits) - 1), self.copy.tile >> tile_column_bits];
+        let column = (self.copy.tile & ((1 << tile_column_bits) - 1)) >> config.bin_bits();
+        let tile = [column, self.copy.tile >> tile_column_bits];
         let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
-        [place(tile[0], self.column) >> config.bin_bits(), place(tile[1], self.row)]
+        [place(tile[0], self.column), place(tile[1], self.row)]
     }
 
     /// The current sample's pixel of the tile.
@@ -54,7 +57,7 @@ impl Scan {
     }
 
     fn is_row_done(&self) -> bool {
-        self.column + (self.step - 1) == *self.columns(self.row).end()
+        self.column == *self.columns(self.row).end()
     }
 
     pub fn is_last(&self) -> bool {
@@ -67,7 +70,7 @@ impl Scan {
             self.row += 1;
             self.column = *self.columns(self.row).start();
         } else {
-            self.column += self.step;
+            self.column += 1;
         }
     }
 }

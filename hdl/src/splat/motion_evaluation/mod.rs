@@ -47,58 +47,49 @@ const fn unsigned(width: u32, fraction: u32) -> Fixed {
     Fixed { width, fraction, signed: Signedness::Unsigned }
 }
 
-/// Integrates a moving splat's kernel at a sample over each bin of the exposure.
+/// Integrates a moving splat's kernel at a sample over its bin of the exposure.
 ///
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
-    let program = Program::new("splat_motion_evaluation", "What a moving splat does to a sample, bin by bin.");
+    let program =
+        Program::new("splat_motion_evaluation", "What a moving splat does to a sample in a bin of the exposure.");
     let frame = Frame::new(config, &program);
-    let MovingPlace { last, slot, column, row, footprint } = MovingPlace::inputs(&program, config);
+    let MovingPlace { last, slot, column, row, odd_bin, footprint } = MovingPlace::inputs(&program, config);
     let places = place::places(config.sampling, &program, [column, row]);
     let course = Course::new(frame, &footprint, places);
-    let times = times(frame, &course);
-    let mut sample = MovingSample { last, inside: course.inside, slot, ..MovingSample::default() };
-    let since_begin = |time: Value| (time + frame.one).to_fixed(unsigned(TIME_BITS, TIME_FRACTION_BITS - 1));
-    sample.time.iter_mut().zip(&times).for_each(|(at, &time)| *at = since_begin(time));
-    sample.depth.iter_mut().zip(depths(frame, &course, &footprint, &times)).for_each(|(at, depth)| *at = depth);
-    sample.share.iter_mut().zip(share::shares(frame, &course, &times)?).for_each(|(of, share)| *of = share);
-    let local_row = row.bits(LOCAL_BITS - 1, 0);
-    sample.pixel = match config.bin_bits() {
-        0 => local_row.cat(column.bits(LOCAL_BITS - 1, 0)),
-        LOCAL_BITS => local_row.cat(program.lit(LOCAL_BITS, 0)),
-        bits => local_row.cat(column.bits(LOCAL_BITS - 1 - bits, 0)).cat(program.lit(bits, 0)),
-    };
+    let times = [course.begin, course.end];
+    let depth = depths(frame, &course, &footprint, times);
+    let share = share::share(frame, &course, times)?;
+    let pixel = row.bits(LOCAL_BITS - 1, 0).cat(column.bits(LOCAL_BITS - 1, 0));
     program.keep_if(course.inside | last);
-    sample.outputs(&program, config);
-    datapath::unit(&units::motion_evaluation::UNIT, config, &program, &options.with_interval(config.time_bins))
+    let time = since(frame, odd_bin, times);
+    MovingSample { last, inside: course.inside, slot, pixel, time, depth, share }.outputs(&program, config);
+    datapath::unit(&units::motion_evaluation::UNIT, config, &program, &options.with_interval(config.sample_interval))
 }
 
-/// The borders of bins within the time for which the sample is covered.
-fn times(frame: Frame, course: &Course) -> Vec<Value> {
-    let bins = frame.config.time_bins;
-    let time = |index: u32| match index {
-        0 => course.begin,
-        _ if index == bins => course.end,
-        _ => {
-            let border = frame.constant(f64::from(2 * index) / f64::from(bins) - 1.0);
-            border.max(course.begin).min(course.end)
-        }
-    };
-    (0..=bins).map(time).collect()
+/// Begin and end, counted from the bin's end and from its begin; modulo two bins, of which every other border is zero.
+fn since(frame: Frame, odd_bin: Value, times: [Value; 2]) -> [Value; 2] {
+    let Frame { config, program, .. } = frame;
+    let bits = config.bin_time_bits();
+    let fixed =
+        |time: Value| (time + frame.one).to_fixed(unsigned(TIME_BITS, TIME_FRACTION_BITS - 1)).bits(bits - 1, 0);
+    let [begin, end] = times.map(fixed);
+    let border = |is_odd: Value| is_odd.cat(program.lit(bits - 1, 0));
+    let odd = if config.bin_bits() > 0 { odd_bin } else { program.lit(1, 0) };
+    [border(!odd) - begin, end - border(odd)]
 }
 
 /// Depth at each time: of the splat's plane, or of its centre.
-fn depths(frame: Frame, course: &Course, footprint: &MovingFootprint<Values>, times: &[Value]) -> Vec<Value> {
+fn depths(frame: Frame, course: &Course, footprint: &MovingFootprint<Values>, times: [Value; 2]) -> [Value; 2] {
     let depth_a = frame.program.uniform(PORTS.depth_a.name, Type::Float(frame.format));
     let [at_zero, change] = footprint.distance.map(|bits| frame.number(bits));
     let scale = frame.number(footprint.depth_scale);
     let scale = if frame.config.has_depth_plane() { course.determinant * scale } else { scale };
-    let depth_at = |&time: &Value| {
+    times.map(|time| {
         let distance = at_zero + time * change;
         let depth = depth_a + scale * recip(frame.config.division, distance);
         name!(distance);
         depth.max(frame.zero).to_fixed(unsigned(DEPTH_BITS, DEPTH_BITS))
-    };
-    times.iter().map(depth_at).collect()
+    })
 }

@@ -14,7 +14,6 @@ use bounds::Octagon;
 use instant::Instant;
 use life::Life;
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use pointcore_contract::splat::records::{self, EpsilonScale, Motion, MovingFootprint, SetupSplat, Splat, Viewport};
 use pointcore_contract::splat::units::motion_setup::PORTS;
 use pointcore_contract::splat::{Config, units};
@@ -97,12 +96,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let Motion { way, part } = splat.motion;
     let frame = Frame::new(config, &program);
     let vector = |bits: [Value; 3]| bits.map(|bits| bits.as_float(format));
-    let moving = Moving {
-        center: vector(splat.center),
-        tangents: splat.tangents.map(vector),
-        motion: vector(way),
-        part: part.map(|bits| bits.as_float(format)),
-    };
+    let (bin, part) = bin(&frame, part.map(|bits| bits.as_float(format)));
+    let (center, tangents) = (vector(splat.center), splat.tangents.map(vector));
+    let moving = Moving { center, tangents, motion: vector(way), part };
     let life = Life::new(&frame, &moving);
     let instant = Instant::new(&frame, &moving, life.origin);
     let (footprint, edge_on) = footprint(&frame, &moving, &life, &instant);
@@ -111,11 +107,33 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let Splat { end, attributes, .. } = splat;
     program.keep_if(end | (life.alive & !edge_on & occupied));
     let moving = records::Moving { footprint, epsilon };
-    SetupSplat { end, moving, attributes, bounds, diagonals, ..SetupSplat::default() }.outputs(&program, config);
+    SetupSplat { end, moving, bin, attributes, bounds, diagonals, ..SetupSplat::default() }.outputs(&program, config);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;
-    let options = options.with_interval(MOTION_SETUP_INTERVAL).with_stages(&format!("mul.{format}"), spare);
+    let options = options.with_interval(config.setup_interval).with_stages(&format!("mul.{format}"), spare);
     datapath::unit(&units::motion_setup::UNIT, config, &program, &options)
+}
+
+/// The bin of the exposure in which the middle of a part lies, and what of the part lies there; of one bin nothing has to be found.
+fn bin(frame: &Frame, [begin, end]: [Value; 2]) -> (Value, [Value; 2]) {
+    let bits = frame.config.bin_bits();
+    if bits == 0 {
+        return (Value::default(), [begin, end]);
+    }
+    let middle = (begin + end) * frame.constant(0.5) + frame.one;
+    let bin = middle.to_fixed(Fixed { width: bits, fraction: bits - 1, signed: Signedness::Unsigned });
+    let border = |index: u32| frame.constant(f64::from(index) / f64::from(1 << (bits - 1)) - 1.0);
+    let pick = |borders: Vec<Value>| {
+        (0..bits).fold(borders, |borders, level| {
+            let odd = bin.bits(level, level);
+            borders.chunks(2).map(|pair| odd.mux(pair[1], pair[0])).collect()
+        })[0]
+    };
+    let bins = 1 << bits;
+    let begin = begin.max(pick((0..bins).map(border).collect()));
+    let end = end.min(pick((1..=bins).map(border).collect()));
+    name!(bin);
+    (bin, [begin, end])
 }
 
 /// What evaluation needs, and whether the splat is seen edge-on.

@@ -3,17 +3,15 @@
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{CompleteCopy, DIAGONAL_BITS, LOCAL_BITS, TileDiagonals, TileRectangle};
 use pointcore_contract::splat::units::RasterizerEvents;
-use rtl::{Expr, Module, Reg, cat, lit};
+use rtl::{Expr, Module, Reg, bit, cat, lit};
 
 /// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins; the
 /// ends of a row are known before the row is reached.
 pub(super) struct Scanner {
-    /// Bits of a sample's column within its pixel, and those of its bin among them.
+    /// Bits of a sample's column within its pixel.
     sample_bits: u32,
-    bin_bits: u32,
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
     idle: Reg,
@@ -30,8 +28,8 @@ pub(super) struct Scanner {
     bottom: Reg,
 }
 
-/// First and last column of samples in a row, of those of a rectangle; each is that of its sample's first bin.
-fn ends([sample_bits, bin_bits]: [u32; 2], sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
+/// First and last column of samples in a row, of those of a rectangle.
+fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
     let less = |limit: Expr, by: Expr| {
         let by = by.zext(DIAGONAL_BITS);
         limit.lt(by).mux(lit(DIAGONAL_BITS, 0), limit - by)
@@ -41,11 +39,6 @@ fn ends([sample_bits, bin_bits]: [u32; 2], sides: [Expr; 2], diagonals: &TileDia
     let first = sum.lt(difference).mux(difference, sum);
     let (sum, difference) = along(diagonals.last_sum, diagonals.last_difference);
     let last = sum.lt(difference).mux(sum, difference);
-    let last_sample = || lit(sample_bits, (1 << sample_bits) - (1 << bin_bits));
-    if sample_bits == LOCAL_BITS {
-        // A tile has one column of pixels.
-        return [lit(LOCAL_BITS, 0), last_sample()];
-    }
     let [left, right] = sides.map(|column| column.bits(LOCAL_BITS - 1, sample_bits));
     let [left, right] = [left, right].map(|pixel| pixel.zext(DIAGONAL_BITS));
     let first = first.lt(left).mux(left, first).trunc(LOCAL_BITS - sample_bits);
@@ -53,14 +46,13 @@ fn ends([sample_bits, bin_bits]: [u32; 2], sides: [Expr; 2], diagonals: &TileDia
     if sample_bits == 0 {
         return [first, last];
     }
-    [cat([first, lit(sample_bits, 0)]), cat([last, last_sample()])]
+    [cat([first, lit(sample_bits, 0)]), cat([last, lit(sample_bits, (1 << sample_bits) - 1)])]
 }
 
 impl Scanner {
     pub fn new(m: &mut Module, config: &Config) -> Self {
         Self {
             sample_bits: config.columns_a_pixel().ilog2(),
-            bin_bits: config.bin_bits(),
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
             last: m.reg("is_last", 1),
@@ -110,14 +102,12 @@ impl Scanner {
         let own_sides = [held(m, "left", ready, left), held(m, "right", ready, right)];
         let own_diagonals = diagonals.register(m, config, "", ready);
 
-        let bits = [self.sample_bits, self.bin_bits];
+        let bits = self.sample_bits;
         let first_ends = ends(bits, [left, right], &diagonals, top);
         let second_ends = ends(bits, [left, right], &diagonals, top.add_lit(1));
         let following_ends = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
         let [next_begin, next_end] = self.next_ends;
-        // A tile as wide as a sample has no next column.
-        let step = (1 << self.bin_bits) % TILE_SIZE;
-        let next_column = row_done.mux(next_begin, self.column.add_lit(step.into()));
+        let next_column = row_done.mux(next_begin, self.column.add_lit(1));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
         let new_row = advance & (load | row_done);
         m.next_if(self.column, advance, load.mux(first_ends[0], next_column));
@@ -135,12 +125,16 @@ impl Scanner {
         m.next_if(self.idle, advance, load.mux(single, falls_idle));
     }
 
-    /// Column and row of the current sample in the image, of samples as if nothing moved.
+    /// The lowest bit of the copy's bin of the exposure, where there are several.
+    pub fn odd_bin(&self, config: &Config) -> Expr {
+        if config.bin_bits() > 0 { self.tile.bit(0) } else { bit(false) }
+    }
+
+    /// Column and row of the current sample in the image.
     pub fn place(&self, config: &Config) -> [Expr; 2] {
         let column_bits = config.tile_column_bits();
-        let tile_column = self.tile.bits(column_bits - 1, 0);
+        let tile_column = self.tile.bits(column_bits - 1, config.bin_bits());
         let tile_row = self.tile.bits(config.tile_bits() - 1, column_bits);
-        let column = cat([tile_column, *self.column]);
-        [column.bits(config.column_bits() - 1, self.bin_bits), cat([tile_row, *self.row])]
+        [cat([tile_column, *self.column]), cat([tile_row, *self.row])]
     }
 }

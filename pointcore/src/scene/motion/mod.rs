@@ -20,7 +20,7 @@ use super::{Scene, Splat};
 use glam::{DAffine3, DMat3, DVec3};
 use pointcore_contract::Camera;
 use pointcore_contract::surface::NORMAL;
-use pointcore_golden::reference::motion::{Method, MovingSplat, Shutter};
+use pointcore_golden::reference::motion::{Interval, Method, MovingSplat, Shutter};
 use std::ops::Range;
 
 /// Instants of the exposure, its ends among them, at which a camera that is put around a scene looks where it is.
@@ -222,10 +222,21 @@ impl Scene {
         (!splats.is_empty()).then(|| Self { splats, sides: Vec::new(), motion: None, ..self.clone() })
     }
 
-    /// What moves, with the straight parts of its ways.
+    /// What moves, with the straight parts of its ways, each of which lies in one of so many bins of the exposure.
     #[must_use]
-    pub fn moving_part(&self) -> Vec<MovingSplat> {
-        self.moving_splats().into_iter().filter(|moving| !moving.is_still()).collect()
+    pub fn moving_part(&self, bins: usize) -> Vec<MovingSplat> {
+        let in_bins = |moving: MovingSplat| {
+            Interval::equal_parts(bins).filter_map(move |bin| {
+                let part = moving.part.intersection(bin)?;
+                if part == moving.part {
+                    return Some(moving.clone());
+                }
+                let way = (part.middle() - moving.part.middle()) * moving.motion;
+                let center = (vector(&moving.splat.center) + way).as_vec3().to_array();
+                Some(MovingSplat { splat: Splat { center, ..moving.splat.clone() }, part, ..moving })
+            })
+        };
+        self.moving_splats().into_iter().filter(|moving| !moving.is_still()).flat_map(in_bins).collect()
     }
 
     /// Turns a splat to an eye if it is one that is seen from either side.

@@ -34,12 +34,14 @@ pub(super) struct Layout {
     columns: usize,
     rows: usize,
     column_bits: u32,
+    /// Of the bin of the exposure, whose tiles lie side by side: counts are those of all.
+    bin_bits: u32,
 }
 
 impl Layout {
     pub(super) fn new(config: &Config) -> Self {
         let [columns, rows] = [config.width, config.height].map(|edge| edge as usize);
-        Self { columns, rows, column_bits: config.tile_column_bits() }
+        Self { columns, rows, column_bits: config.tile_column_bits(), bin_bits: config.bin_bits() }
     }
 
     /// Tiles that there may be: as many as their addresses reach.
@@ -50,18 +52,19 @@ impl Layout {
     /// Counts by tile, as an image of tiles.
     pub(super) fn by_tile(&self, counts: &[u32]) -> Map {
         let (width, height) = (self.columns.div_ceil(SIZE), self.rows.div_ceil(SIZE));
-        let row = |row: usize| counts[row << self.column_bits..][..width].iter().copied();
-        Map { width, counts: (0..height).flat_map(row).collect() }
+        let row = |row: usize| counts[row << self.column_bits..][..width << self.bin_bits].chunks(1 << self.bin_bits);
+        Map { width, counts: (0..height).flat_map(row).map(|bins| bins.iter().sum()).collect() }
     }
 
     /// Counts by tile and the tile's pixel, as an image.
     fn by_pixel(&self, counts: &[u32]) -> Map {
-        let place = |row: usize, column: usize| {
-            let tile = ((row / SIZE) << self.column_bits) + column / SIZE;
-            tile * PIXELS + row % SIZE * SIZE + column % SIZE
+        let count = |row: usize, column: usize| -> u32 {
+            let tile = ((row / SIZE) << self.column_bits) + ((column / SIZE) << self.bin_bits);
+            let bins = tile..tile + (1 << self.bin_bits);
+            bins.map(|tile| counts[tile * PIXELS + row % SIZE * SIZE + column % SIZE]).sum()
         };
-        let row = |row: usize| (0..self.columns).map(move |column| place(row, column));
-        Map { width: self.columns, counts: (0..self.rows).flat_map(row).map(|place| counts[place]).collect() }
+        let row = |row: usize| (0..self.columns).map(move |column| count(row, column));
+        Map { width: self.columns, counts: (0..self.rows).flat_map(row).collect() }
     }
 
     pub(super) fn zeros_by_tile(&self) -> Vec<u32> {

@@ -2,7 +2,6 @@
 
 use super::timeline::{Counts, State, Unit};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::motion::MOTION_SETUP_INTERVAL;
 use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::units::Events;
 use pointcore_golden::splat::lane;
@@ -108,7 +107,7 @@ impl States {
     pub(super) fn new(config: &Config) -> Self {
         Self {
             transform: Datapath::new(config.transform_interval),
-            setup: Datapath::new(if config.has_motion() { MOTION_SETUP_INTERVAL } else { config.setup_interval }),
+            setup: Datapath::new(config.setup_interval),
             normalizers: vec![Datapath::new(1 + u32::from(config.has_motion())); config.memory_ports as usize],
             lanes: vec![Lane::default(); config.rasterizers as usize],
         }

@@ -23,7 +23,7 @@ pub(crate) fn moving_records(scene: &Scene, plan: &Plan) -> Vec<records::Splat> 
         record.attributes[config.continuous as usize..config.attributes() as usize].fill(moving.splat.material.into());
         record
     };
-    scene.moving_part().iter().map(record).collect()
+    scene.moving_part(config.time_bins as usize).iter().map(record).collect()
 }
 
 /// A splat's place, way and tangents.

@@ -14,16 +14,16 @@ use pointcore_golden::reference::{Fragment, Frame};
 pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still: Option<&Frame>) -> Exposure {
     let rendering = &scene.rendering;
     let shade = shading::colors(scene, &scene.camera);
-    let only_material = scene.moving_part().first().map_or(0, |moving| moving.splat.material);
+    let only_material = scene.moving_part(1).first().map_or(0, |moving| moving.splat.material);
     let mut exposure = Exposure::dark(rendering);
     for found in fragments {
-        let [column, row] = [found.column >> plan.config.bin_bits(), found.row].map(usize::from);
+        let [column, row] = [found.column, found.row].map(usize::from);
         // Hardware for a larger image renders beyond it.
         if column >= exposure.width || row >= exposure.height {
             continue;
         }
         let (place, index) = (Place::new(column, row, rendering), row * exposure.width + column);
-        let Seen { share, rest_share, depth, ref attributes } = found.seen;
+        let Seen { share, rest_share, depth, ref attributes, .. } = found.seen;
         for (share, depth, attributes) in [(share, found.depth, &found.attributes), (rest_share, depth, attributes)] {
             let surface = surface(plan, depth, attributes, only_material);
             let hides = |still: &Fragment| still.depth < surface.depth - rendering.epsilon_bias;

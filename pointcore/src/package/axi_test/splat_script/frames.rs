@@ -1,7 +1,8 @@
 //! Small frames whose splats lie in tiles all over the picture, and what the golden model makes of them.
 
 use crate::number::{encode, encode_attribute};
-use crate::splat::{END, EncodedFrame, SplatCore, SplatRunner, still};
+use crate::splat::{END, EncodedFrame, SplatCore, SplatRunner};
+use crate::stimuli::motion::motion;
 use crate::uniforms::uniforms;
 use fastrand::Rng;
 use pointcore_contract::splat::Config;
@@ -113,5 +114,5 @@ fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], random: &mut
     let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
     continuous.fill_with(|| encode_attribute(config.attribute, random.f32()));
     cardinals[..config.cardinal as usize].fill(1);
-    Splat { center, tangents, motion: still(config), attributes, ..Splat::default() }
+    Splat { center, tangents, motion: motion(config, random), attributes, ..Splat::default() }
 }
