@@ -5,7 +5,7 @@ mod error;
 pub use error::ConfigError;
 
 use super::division::Division;
-use super::motion::{TIME_BINS_MAX, TIME_BITS};
+use super::motion::{MOTION_TABLE_BITS, TIME_BINS_MAX, TIME_BITS};
 use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
 use crate::configuration::{Derived, configuration};
 use crate::{Format, FragmentDepth, Sampling, TableShape};
@@ -142,9 +142,9 @@ configuration! {
             time_bins: u32 = 0, described("0, 1, 2, 4, 8"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
-            /// Leading bits of ρ² that choose an entry of the kernel's table.
+            /// Leading bits of ρ² that choose an entry of the kernel's table; with `time_bins` those of a distance, too, in that of its integral.
             kernel_index_bits: u32 = 8, range(4, 10), Sweep;
-            /// Bits of ρ² behind those, which interpolate between entries; 0 for the table alone.
+            /// Bits of ρ² behind those, which interpolate between entries; 0 for the table alone. With `time_bins` all of 24 do.
             kernel_fraction_bits: u32 = 8, range(0, 10), Sweep;
             /// How setup, rasterizer and normalizer divide and take roots: correctly rounded digit by digit, or from tables and
             /// Newton steps.
@@ -336,6 +336,13 @@ impl Config {
             fraction_bits: self.kernel_fraction_bits,
             value_bits: WEIGHT_BITS,
         }
+    }
+
+    /// The same over ρ² of what moves, and the table of its integral over ρ, both in `[0, 1)`.
+    #[must_use]
+    pub const fn motion_table(&self) -> TableShape {
+        let index_bits = self.kernel_index_bits;
+        TableShape { index_bits, fraction_bits: MOTION_TABLE_BITS - index_bits, value_bits: MOTION_TABLE_BITS }
     }
 
     /// Bits of a pixel column.

@@ -1,8 +1,9 @@
 //! What a share of the exposure may be off, as docs/units/splat/motion_evaluation.md derives it.
 
 use super::setup::Magnitudes;
+use pointcore_contract::TableShape;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS};
+use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_golden::reference::motion::distance::SquaredDistance;
 use pointcore_golden::reference::motion::{Interval, Met, MovingFootprint, Place, Shutter};
 
@@ -68,6 +69,8 @@ struct Sample<'a> {
     gamma: f64,
     /// Bins of the exposure.
     bins: usize,
+    /// Of the tables.
+    table: TableShape,
     /// Half a unit in the last place of one.
     unit: f64,
     /// Sums of magnitudes of the terms over `D`: of place and speed.
@@ -98,7 +101,8 @@ impl<'a> Sample<'a> {
             if limit.is_finite() { 4.0 * unit * (limit.abs() * (1.0 + cancellation) + offset.abs()) } else { 0.0 }
         });
         let terms = [of_places, of_speeds].map(|sum| sum / determinant);
-        Self { footprint, met, gamma, bins: time_bins as usize, unit, terms, cancellation, planes, of_setup: [0.0; 3] }
+        let (bins, table) = (time_bins as usize, config.motion_table());
+        Self { footprint, met, gamma, bins, table, unit, terms, cancellation, planes, of_setup: [0.0; 3] }
     }
 
     /// With setup's roundings.
@@ -198,8 +202,8 @@ impl<'a> Sample<'a> {
     /// What interpolation in the tables, their own rounding and that of their arguments amount to.
     fn tables(&self, reached: f64, part: Interval) -> f64 {
         let square = |value: f64| value * value;
-        let step = 0.25_f64.powi(MOTION_TABLE.index_bits as i32);
-        let unit = 0.5_f64.powi(MOTION_TABLE.value_bits as i32);
+        let step = 0.25_f64.powi(self.table.index_bits as i32);
+        let unit = 0.5_f64.powi(self.table.value_bits as i32);
         let argument = unit.max(self.unit);
         let of_kernel = square(self.gamma) / 8.0 * step + 2.0 * unit + self.gamma * argument;
         let squared_speed: f64 = self.met.speed.iter().map(|&component| square(component)).sum();

@@ -181,7 +181,9 @@ fn of_scene(scene: &Scene, time_bins: u32) -> Config {
         kernel_gamma: scene.rendering.kernel_gamma,
         ..Config::default()
     };
-    let is_moving = time_bins > 0;
-    let screen_filter = if is_moving { Feature::Off } else { still.screen_filter };
-    Config { time_bins, screen_filter, culling: Feature::On, ..still }
+    if time_bins == 0 {
+        return still;
+    }
+    // Shares of the exposure are differences of the kernel's integral: its table has to be fine.
+    Config { time_bins, screen_filter: Feature::Off, culling: Feature::On, kernel_index_bits: 10, ..still }
 }

@@ -47,7 +47,7 @@ impl MotionEvaluation {
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
             time_bits: config.bin_time_bits(),
-            kernel: Kernel::new(config.kernel_gamma, config.time_bins),
+            kernel: Kernel::new(config),
             datapath: Datapath::new(latency, config.sample_interval),
         }
     }

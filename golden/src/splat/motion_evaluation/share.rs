@@ -3,11 +3,12 @@
 use super::course::Course;
 use crate::float::{Table, kernel_integral_table, kernel_table};
 use crate::number::Number;
-use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::motion::{MOTION_TABLE_BITS, SHARE_BITS};
 use std::sync::Arc;
 
 /// Bits of an argument and of a value of the tables.
-const UNIT_BITS: u32 = MOTION_TABLE.value_bits;
+const UNIT_BITS: u32 = MOTION_TABLE_BITS;
 /// Bits of a sum of six kernels.
 const SUM_BITS: u32 = UNIT_BITS + 3;
 /// A speed below this power of ½, times the number of bins, is that of a narrow sample: of a bin it passes 1/16 of a radius at most.
@@ -23,10 +24,11 @@ pub(super) struct Kernel {
 }
 
 impl Kernel {
-    pub fn new(gamma: f64, bins: u32) -> Self {
-        let weight = Arc::new(kernel_table(gamma, MOTION_TABLE));
-        let narrow = 2 * (NARROW - i64::from(bins.ilog2()));
-        Self { weight, integral: Arc::new(kernel_integral_table(gamma, MOTION_TABLE)), narrow }
+    pub fn new(config: &Config) -> Self {
+        let (gamma, table) = (config.kernel_gamma, config.motion_table());
+        let weight = Arc::new(kernel_table(gamma, table));
+        let narrow = 2 * (NARROW - i64::from(config.bin_bits()));
+        Self { weight, integral: Arc::new(kernel_integral_table(gamma, table)), narrow }
     }
 
     /// The share of a bin between two times.

@@ -4,11 +4,11 @@ use super::course::Course;
 use super::{Frame, unsigned};
 use crate::compiler::{CompileError, Table, Value, name};
 use crate::float::{erf, exp_neg};
-use pointcore_contract::splat::motion::{MOTION_TABLE, SHARE_BITS};
+use pointcore_contract::splat::motion::{MOTION_TABLE_BITS, SHARE_BITS};
 use std::rc::Rc;
 
 /// Bits of an argument and of a value of the tables.
-const UNIT_BITS: u32 = MOTION_TABLE.value_bits;
+const UNIT_BITS: u32 = MOTION_TABLE_BITS;
 /// Bits of a sum of six kernels.
 const SUM_BITS: u32 = UNIT_BITS + 3;
 /// Below as many of it as there are bins a speed is that of a narrow sample.
@@ -17,9 +17,9 @@ const NARROW: f64 = 1.0 / 32.0;
 /// The share of a bin between two times.
 pub(super) fn share(frame: Frame, course: &Course, times: [Value; 2]) -> Result<Value, CompileError> {
     let Frame { config, program, format, .. } = frame;
-    let gamma = config.kernel_gamma;
-    let kernel = Table::new(MOTION_TABLE, exp_neg::samples(gamma, MOTION_TABLE)).map(Rc::new)?;
-    let integral = Table::new(MOTION_TABLE, erf::integral_samples(gamma, MOTION_TABLE)).map(Rc::new)?;
+    let (gamma, table) = (config.kernel_gamma, config.motion_table());
+    let kernel = Table::new(table, exp_neg::samples(gamma, table)).map(Rc::new)?;
+    let integral = Table::new(table, erf::integral_samples(gamma, table)).map(Rc::new)?;
     let weight = |squared: Value, fraction: u32| squared.to_fixed(unsigned(UNIT_BITS, fraction)).kernel(&kernel);
     let places = times.map(|time| course.speed * time + course.along);
 
