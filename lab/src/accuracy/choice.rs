@@ -146,7 +146,7 @@ pub(super) mod tests {
                 flip: 0.9,
                 worst: 0.1,
                 rounding_psnr_db: psnr_db + 10.0,
-                surface_differences: 0,
+                surface_differences: Some(0),
                 samples: 4,
                 hardware: (cycles > 0).then(|| Hardware { cycles, proxy, config: Config::default() }),
             };

@@ -48,8 +48,8 @@ pub struct PointFigures {
     pub worst: f64,
     /// Peak signal-to-noise ratio against the f64 reference at the same samples: what number formats alone cost.
     pub rounding_psnr_db: f64,
-    /// Samples that show another surface than that reference's.
-    pub surface_differences: u64,
+    /// Samples that show another surface than that reference's; none of a scene that moves, of which a sample shows several.
+    pub surface_differences: Option<u64>,
     /// Samples of the frame.
     pub samples: u64,
     /// Time and hardware; none of [`PointEngine::F64`].
@@ -64,37 +64,34 @@ pub struct Hardware {
     pub cycles: u64,
     /// Operators and memories.
     pub proxy: Proxy,
-    /// The configuration.
+    /// The configuration; of a scene that moves, that of what moves.
     pub config: Config,
 }
 
-/// A frame beside the reference at the same samples.
-pub struct Compared<'a> {
+/// A picture beside the reference at the same samples.
+pub struct Compared {
     /// Of the pictures.
     pub psnr_db: f64,
-    /// As it came.
-    pub frame: &'a Frame,
-    /// As it should.
-    pub reference: &'a Frame,
-    /// Depths that are farther apart are those of different surfaces.
-    pub depth_tolerance: f64,
+    /// Samples that show another surface, where each shows one.
+    pub surface_differences: Option<u64>,
+    /// Samples of the picture.
+    pub samples: u64,
 }
 
-impl Compared<'_> {
-    /// Samples that only one of both covers, or that show another material or another depth.
-    fn surface_differences(&self) -> u64 {
-        let pairs = self.frame.pixels.iter().zip(&self.reference.pixels);
-        let differs = pairs.filter(|pair| match pair {
-            (Some(a), Some(b)) => a.material != b.material || (a.depth - b.depth).abs() > self.depth_tolerance,
-            (None, None) => false,
-            _ => true,
-        });
-        differs.count() as u64
-    }
+/// Samples that only one of two frames covers, or that show another material or another depth.
+#[must_use]
+pub fn surface_differences(frame: &Frame, reference: &Frame, depth_tolerance: f64) -> u64 {
+    let pairs = frame.pixels.iter().zip(&reference.pixels);
+    let differs = pairs.filter(|pair| match pair {
+        (Some(a), Some(b)) => a.material != b.material || (a.depth - b.depth).abs() > depth_tolerance,
+        (None, None) => false,
+        _ => true,
+    });
+    differs.count() as u64
 }
 
 impl PointFigures {
-    /// Compares a picture with the truth, and its frame with the reference at the same samples.
+    /// Compares a picture with the truth; beside it what it is compared with at the same samples.
     ///
     /// # Panics
     /// The pictures differ in size.
@@ -113,8 +110,8 @@ impl PointFigures {
             flip: perceived(picture, truth),
             worst: differences.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max),
             rounding_psnr_db: compared.psnr_db.min(PSNR_MAX_DB),
-            surface_differences: compared.surface_differences(),
-            samples: compared.frame.pixels.len() as u64,
+            surface_differences: compared.surface_differences,
+            samples: compared.samples,
             hardware,
         }
     }
@@ -150,8 +147,9 @@ mod tests {
     fn other_surfaces_are_told_by_cover_material_and_depth() {
         let truth = frame(vec![None, None, fragment(0.5, 0), fragment(0.5, 0), fragment(0.5, 0), fragment(0.5, 0)]);
         let seen = frame(vec![None, fragment(0.5, 0), None, fragment(0.5, 1), fragment(0.6, 0), fragment(0.501, 0)]);
-        let compared = Compared { psnr_db: f64::INFINITY, frame: &seen, reference: &truth, depth_tolerance: 0.01 };
-        assert_eq!(compared.surface_differences(), 4);
+        let differences = surface_differences(&seen, &truth, 0.01);
+        assert_eq!(differences, 4);
+        let compared = Compared { psnr_db: f64::INFINITY, surface_differences: Some(differences), samples: 6 };
         let figures = PointFigures::new(PointEngine::F64, &picture(0.5), &picture(0.5), &compared, None);
         assert_eq!((figures.psnr_db, figures.rounding_psnr_db, figures.worst), (PSNR_MAX_DB, PSNR_MAX_DB, 0.0));
         assert_eq!(figures.flip, 0.0);

@@ -54,7 +54,7 @@ pub struct SweepPoint {
 pub struct UnknownKnob(String);
 
 /// Keys of a scene by the names of knobs.
-const KEYS: [(&str, &[&str]); 11] = [
+const KEYS: [(&str, &[&str]); 15] = [
     ("geometry", &["overrides.geometry"]),
     ("rasterizer", &["overrides.rasterizer"]),
     ("attribute", &["overrides.attribute"]),
@@ -67,6 +67,10 @@ const KEYS: [(&str, &[&str]); 11] = [
     // One number shares the operators of both units.
     ("sharing", &["overrides.transform_interval", "overrides.setup_interval"]),
     ("tile_slots", &["overrides.tile_slots"]),
+    ("motion", &["splatting.motion"]),
+    ("resample", &["splatting.resample_px"]),
+    ("table", &["overrides.kernel_index_bits"]),
+    ("sample_interval", &["overrides.sample_interval"]),
 ];
 
 impl Knob {
@@ -103,6 +107,25 @@ impl Knob {
             Self::new("kernel", &["8+8", "8+0", "6+6", "5+0"], &[]),
             Self::new("division", &["rounded", "newton"], &[]),
             Self::new("sharing", &["1", "2", "4"], &["8"]),
+        ]
+    }
+
+    /// The same of a scene that moves: how many bins the exposure has, how far straight parts of ways may lie from them, how the tables of the kernel
+    /// and of its integral are resolved, and how many cycles share an operator of the rasterizer; but a rasterizer of the geometry's format.
+    #[must_use]
+    pub fn of_motion() -> Vec<Self> {
+        vec![
+            Self::new("motion", &["bins:1"], &["bins:2", "bins:4", "bins:8"]),
+            Self::new("geometry", &["f32", "f32-ftz", "f24", "bf16-ftz"], &["f24-ftz"]),
+            Self::new("attribute", &["f32", "f24", "f16", "fixed16", "fixed12", "fixed8"], &["bf16"]),
+            Self::new("samples", &["1", "2"], &[]),
+            Self::new("depth", &["plane"], &[]),
+            Self::new("cutoff", &["0.7", "0.85"], &[]),
+            Self::new("resample", &["0.0625", "1", "4"], &[]),
+            Self::new("table", &["4", "6", "8", "10"], &[]),
+            Self::new("division", &["rounded", "newton"], &[]),
+            Self::new("sample_interval", &["1", "2", "4"], &[]),
+            Self::new("sharing", &["2", "4", "8"], &[]),
         ]
     }
 

@@ -5,18 +5,16 @@
 //! machines is put together by running it again.
 
 use super::figures::{PointEngine, PointFigures};
-use super::measure::{measure, reference};
+use super::measure::{PointPlan, measure, truth};
 use super::point::{RenderMethod, SweepPoint};
 use super::{read_result, write_result};
 use crate::LabError;
 use pointcore::area::estimate::Estimator;
 use pointcore::area::proxy::Proxy;
 use pointcore::picture::Picture;
-use pointcore::plan::{Plan, PlanError};
+use pointcore::plan::{MovingPlan, Plan};
 use pointcore::scene::Scene;
-use pointcore::shading::picture;
 use pointcore::splat::SplatCore;
-use pointcore_golden::reference::Mapping;
 use pointcore_tb::cache::{Cache, digest, key};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -51,7 +49,7 @@ pub struct Planned {
     /// The point.
     pub point: SweepPoint,
     scene: Arc<Loaded>,
-    plan: Plan,
+    plan: PointPlan,
 }
 
 /// A point that was measured.
@@ -74,10 +72,11 @@ pub struct Sweep {
 }
 
 impl Planned {
-    /// The point's hardware as a configuration file, by which equal ones are known.
+    /// The point's hardware as configuration files, one behind the other, by which equal ones are known.
     #[must_use]
     pub fn hardware(&self) -> String {
-        toml::to_string(&self.plan.config).expect("a configuration is a TOML table")
+        let file = |plan: &Plan| toml::to_string(&plan.config).expect("a configuration is a TOML table");
+        self.plan.cores().into_iter().map(file).collect()
     }
 }
 
@@ -102,13 +101,18 @@ impl Scenes {
     }
 
     /// The scene of a point, and its hardware.
-    fn plan(&self, point: &SweepPoint) -> Result<(Arc<Loaded>, Plan), LabError> {
+    fn plan(&self, point: &SweepPoint) -> Result<(Arc<Loaded>, PointPlan), LabError> {
         let is_hardware = |setting: &String| setting.starts_with("overrides.");
         let (hardware, picture): (Vec<_>, Vec<_>) = point.arguments().into_iter().partition(is_hardware);
         let loaded = self.load(&picture)?;
         let all = [&self.settings[..], &picture, &hardware].concat();
         let overrides = Scene::overrides(&self.path, &all)?;
-        let plan = Plan::with_overrides(&loaded.scene, &overrides)?;
+        let scene = &loaded.scene;
+        let plan = if scene.motion.is_some() {
+            PointPlan::Moving(Box::new(MovingPlan::with_overrides(scene, &overrides)?))
+        } else {
+            PointPlan::Still(Box::new(Plan::with_overrides(scene, &overrides)?))
+        };
         Ok((loaded, plan))
     }
 }
@@ -118,13 +122,10 @@ impl Sweep {
     /// `hardware`.
     ///
     /// # Errors
-    /// The scene cannot be loaded, or moves while the shutter is open.
+    /// The scene cannot be loaded.
     pub fn open(path: &Path, settings: &[String], folder: PathBuf, hardware: PointEngine) -> Result<Self, LabError> {
         let scenes = Scenes { path: path.to_owned(), settings: settings.to_vec(), loaded: Mutex::default() };
         let truth = scenes.load(&TRUTH.map(str::to_owned))?;
-        if truth.scene.motion.is_some() {
-            return Err(PlanError::Moving.into());
-        }
         Ok(Self { scenes, cache: Cache::new(folder), hardware, truth, truth_picture: Mutex::default() })
     }
 
@@ -177,8 +178,19 @@ impl Sweep {
     /// # Errors
     /// A fault of the generator.
     pub fn area(&self, planned: &Planned, estimator: &Estimator) -> Result<Option<f64>, LabError> {
-        let core = SplatCore::generate(&planned.plan.config)?;
-        Ok(estimator.estimate(&planned.plan.config, &Proxy::of(&core.design)).lut4)
+        let mut all = Some(0.0);
+        for Plan { config, .. } in planned.plan.cores() {
+            let core = SplatCore::generate(config)?;
+            let lut4 = estimator.estimate(config, &Proxy::of(&core.design)).lut4;
+            all = all.zip(lut4).map(|(all, lut4)| all + lut4);
+        }
+        Ok(all)
+    }
+
+    /// Whether the scene moves while the shutter is open.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.truth.scene.motion.is_some()
     }
 
     /// Measures a point that is not kept.
@@ -200,8 +212,7 @@ impl Sweep {
     /// The truth, rendered when it is first asked for.
     fn truth(&self) -> Arc<Picture> {
         let mut known = locked(&self.truth_picture);
-        let scene = &self.truth.scene;
-        known.get_or_insert_with(|| Arc::new(picture(&reference(scene, Mapping::Backward), scene))).clone()
+        known.get_or_insert_with(|| Arc::new(truth(&self.truth.scene))).clone()
     }
 
     /// The folder that has the truth as [`FRAME`].
@@ -221,5 +232,40 @@ impl Sweep {
     pub fn scene_file(&self, point: &SweepPoint) -> Result<String, LabError> {
         let settings = [&self.scenes.settings[..], &point.arguments()].concat();
         Ok(Scene::text(&self.scenes.path, &settings)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::point::{Knob, points};
+
+    #[test]
+    fn a_scene_that_moves_is_swept_with_both_of_its_cores() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("scene.toml");
+        let text = "camera = { eye = [0, 0, 5], target = [0, 0, 0], fov_degrees = 30, near = 1, far = 10 }\n\
+                    image = { width = 24, height = 16, background = [0.9, 0.9, 0.9] }\n\
+                    shutter = { open = 0, close = 1 }\n\
+                    [[object]]\nkind = \"plane\"\npoints = 100\nsize = 2\nrotate_degrees = [90, 0, 0]\ntranslate = [0, 0, -1]\n\
+                    [[object]]\nkind = \"sphere\"\npoints = 200\nouter_radius = 0.5\nmotion = { velocity = [1.5, 0, 0] }\n";
+        std::fs::write(&path, text).expect("a temporary folder can be written");
+        let sweep = Sweep::open(&path, &[], folder.path().join("points"), PointEngine::Golden).expect("a scene");
+        assert!(sweep.moves());
+        let knobs = ["motion=bins:1,bins:8", "table=4,12"].map(|text| Knob::parse(text).expect("a knob"));
+        let (planned, refused) = sweep.plan(points(&knobs));
+        assert!(!refused.is_empty() && refused.iter().all(|(point, _)| point.name.contains("table 12")));
+        let measured = |name: &str| {
+            let planned = planned.iter().find(|planned| planned.point.name == name).expect("it is a point");
+            assert_eq!(
+                planned.hardware().matches("kind").count(),
+                2,
+                "a core for what moves, and one for what does not"
+            );
+            sweep.measure(planned).unwrap_or_else(|error| panic!("{error}")).figures
+        };
+        let [one, eight] = ["motion bins:1", "motion bins:8"].map(measured);
+        assert!(one.surface_differences.is_none() && one.hardware.is_some_and(|hardware| hardware.cycles > 0));
+        assert!(eight.psnr_db > one.psnr_db + 1.0, "{} dB and {} dB", one.psnr_db, eight.psnr_db);
     }
 }

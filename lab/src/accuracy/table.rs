@@ -42,7 +42,10 @@ pub fn cells(rated: &Rated) -> [String; 11] {
         decibels(figures.psnr_db),
         format!("{:.4}", figures.flip),
         format!("{:.3}", figures.worst),
-        format!("{:.3} %", 100.0 * figures.surface_differences as f64 / figures.samples.max(1) as f64),
+        figures.surface_differences.map_or_else(
+            || "–".to_owned(),
+            |count| format!("{:.3} %", 100.0 * count as f64 / figures.samples.max(1) as f64),
+        ),
         decibels(figures.rounding_psnr_db),
         or_dash(figures.hardware.as_ref().map(|hardware| hardware.cycles.to_string())),
         or_dash(rated.time_ms.map(|time| format!("{time:.2}{time_mark}"))),

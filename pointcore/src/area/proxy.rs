@@ -23,6 +23,19 @@ pub struct Proxy {
 }
 
 impl Proxy {
+    /// Two designs together.
+    #[must_use]
+    pub const fn sum(self, other: Self) -> Self {
+        Self {
+            register_bits: self.register_bits + other.register_bits,
+            memory_bits: self.memory_bits + other.memory_bits,
+            multipliers: self.multipliers + other.multipliers,
+            product_bits: self.product_bits + other.product_bits,
+            adder_bits: self.adder_bits + other.adder_bits,
+            mux_bits: self.mux_bits + other.mux_bits,
+        }
+    }
+
     /// Counts a design.
     #[must_use]
     pub fn of(design: &Design) -> Self {

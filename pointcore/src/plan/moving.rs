@@ -27,7 +27,14 @@ impl MovingPlan {
     /// # Errors
     /// As [`Plan::of`], and if the scene's `splatting.motion` is none that hardware has.
     pub fn of(scene: &Scene) -> Result<Self, PlanError> {
-        let overrides = &scene.overrides;
+        Self::with_overrides(scene, &scene.overrides)
+    }
+
+    /// The same with overrides in the place of the scene's own.
+    ///
+    /// # Errors
+    /// As [`MovingPlan::of`].
+    pub fn with_overrides(scene: &Scene, overrides: &toml::Table) -> Result<Self, PlanError> {
         let planner = Planner::of_moving(scene, overrides)?;
         let moving = planner.plan(planner.size())?;
         let still = scene.still_part().map(|still| Plan::with_overrides(&still, overrides)).transpose()?;

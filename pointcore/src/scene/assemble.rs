@@ -25,6 +25,8 @@ const INTENSITY_LIMIT: f64 = 1000.0;
 const SAMPLES_LIMIT: usize = 8;
 /// Cut off nearer, splats leave holes; farther, the kernel has hardly any weight left.
 const CUTOFF_RANGE: std::ops::RangeInclusive<f64> = 0.25..=2.0;
+/// Finer, every part is as short as it may be; coarser, nothing is left of a curve.
+const RESAMPLE_RANGE_PX: std::ops::RangeInclusive<f64> = 0.01..=64.0;
 /// A highlight narrower than a pixel of the largest picture.
 const SHININESS_LIMIT: f64 = 1e6;
 
@@ -45,6 +47,9 @@ pub(super) fn check(file: &SceneFile) -> Result<(), Fault> {
     check_light(&file.light).map_err(fault)?;
     motion::check(file)?;
     method(&file.splatting)?;
+    if let Some(resample_px) = file.splatting.resample_px {
+        within("splatting.resample_px", resample_px, RESAMPLE_RANGE_PX).map_err(fault)?;
+    }
     for (index, material) in file.materials.iter().enumerate() {
         check_material(material).map_err(|(key, problem)| (format!("material.{index}.{key}"), problem))?;
     }

@@ -159,6 +159,8 @@ pub(super) struct SplattingTable {
     pub depth: FragmentDepth,
     /// How a moving scene settles what hides what.
     pub motion: Option<String>,
+    /// How far straight parts of a path may lie from it.
+    pub resample_px: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

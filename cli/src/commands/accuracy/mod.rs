@@ -251,9 +251,10 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     let name = scene_name(scene);
     let knobs: Result<Vec<Knob>, UnknownKnob> = arguments.knobs.iter().map(|text| Knob::parse(text)).collect();
     let knobs = knobs.map_err(|error| Failure::Usage(format!("--vary {error}")))?;
-    let knobs = if knobs.is_empty() { Knob::standard() } else { knobs };
     let (folder, engine) = (arguments.folder(), arguments.engine());
     let sweep = Sweep::open(scene, &arguments.settings, folder.clone(), engine)?;
+    let standard = if sweep.moves() { Knob::of_motion } else { Knob::standard };
+    let knobs = if knobs.is_empty() { standard() } else { knobs };
 
     let (planned, refused) = sweep.plan(points(&knobs));
     check_values(&knobs, arguments, &refused)?;

@@ -25,6 +25,8 @@ use std::ops::Range;
 
 /// Instants of the exposure, its ends among them, at which a camera that is put around a scene looks where it is.
 const INSTANTS: usize = 9;
+/// A quarter of what the screen filter smooths over.
+const RESAMPLE_PX: f64 = 0.25;
 
 /// What moves in a scene while the shutter is open, and how that is drawn.
 #[derive(Clone, Debug)]
@@ -33,6 +35,8 @@ pub struct Motion {
     pub shutter: Shutter,
     /// How it is settled what hides what; `None` where the scene leaves it open.
     pub method: Option<Method>,
+    /// How far a path may lie from its straight parts, and a splat's rim from where it is drawn, px.
+    resample_px: f64,
     /// When the shutter opens and closes, in seconds.
     exposure: [f64; 2],
     /// The splats of each object that moves, and its way through world space.
@@ -58,7 +62,8 @@ impl Motion {
         let shape = shutter.shape.into();
         let placement = Placement::WORLD;
         let is_moving = !objects.is_empty() || camera.is_some();
-        is_moving.then_some(Self { shutter: shape, method, exposure, objects, camera, placement })
+        let resample_px = file.splatting.resample_px.unwrap_or(RESAMPLE_PX);
+        is_moving.then_some(Self { shutter: shape, method, resample_px, exposure, objects, camera, placement })
     }
 
     /// How f64 settles what hides what: exactly, unless the scene says otherwise.

@@ -1,7 +1,7 @@
 //! Ways become straight parts (thesis 4.4.5): a path is halved where it bends, splat by splat.
 //!
-//! What a part neglects: the path's distance from its chord, up to [`BEND_LIMIT_PX`]; the tangents' turn from those of the part's middle, up to
-//! [`TURN_LIMIT_PX`] at the splat's rim; the normal's, up to half of [`TURN_LIMIT`] radians, in shading; and of a splat smaller than the screen filter,
+//! What a part neglects: the path's distance from its chord, up to `resample_px`; the tangents' turn from those of the part's middle, up to
+//! as much at the splat's rim; the normal's, up to half of [`TURN_LIMIT`] radians, in shading; and of a splat smaller than the screen filter,
 //! the change of that filter with distance, up to half of [`DISTANCE_LIMIT`].
 
 use super::{Motion, Path, carried, eye, vector};
@@ -11,10 +11,6 @@ use pointcore_contract::{Camera, Splat};
 use pointcore_golden::reference::motion::{Interval, MovingSplat};
 use rayon::prelude::*;
 
-/// How far a path may lie from its chord: a quarter of what the screen filter smooths over.
-const BEND_LIMIT_PX: f64 = 0.25;
-/// How far a splat's rim may lie from where it is drawn.
-const TURN_LIMIT_PX: f64 = 0.25;
 /// How far a splat may turn in a part, in radians: its cosine to the light then errs by an eighth at most, and by nothing in the mean.
 const TURN_LIMIT: f64 = 0.25;
 /// By which share of its distance from the eye a splat may come nearer or go farther in a part.
@@ -86,8 +82,9 @@ impl Way<'_> {
         };
         let turns = self.splat.tangents.each_ref().map(turn);
         let is_near = (distances[4] - distances[0]).abs() <= DISTANCE_LIMIT * nearest.max(camera.near);
-        (1..4).all(|index| bend(index) * px <= BEND_LIMIT_PX)
-            && turns.iter().all(|[way, length]| 0.5 * way * px <= TURN_LIMIT_PX && *way <= TURN_LIMIT * length)
+        let limit_px = self.motion.resample_px;
+        (1..4).all(|index| bend(index) * px <= limit_px)
+            && turns.iter().all(|[way, length]| 0.5 * way * px <= limit_px && *way <= TURN_LIMIT * length)
             && is_near
     }
 
