@@ -150,7 +150,11 @@ impl Demand {
                 ..Self::drawn(config, &drawn, front.copies(&drawn))
             }
         };
-        splats.par_iter().enumerate().map(of_splat).reduce(Self::default, Self::sum)
+        let all = splats.par_iter().enumerate().map(of_splat).reduce(Self::default, Self::sum);
+        // A place has a tile for each bin.
+        let last = config.time_bins - 1;
+        let tiles = all.tiles.map(|[columns, rows]| [columns.map(|column| column << config.bin_bits()), rows]);
+        Self { tiles: tiles.map(|[[left, right], rows]| [[left, right + last], rows]), ..all }
     }
 
     /// Of a splat that is drawn.

@@ -51,7 +51,7 @@ impl MovingPlan {
             Err(PlanError::Excluded { effect, reason, key: "time_bins", value: value.to_string(), remedy })
         };
         if !config.has_motion() {
-            let reason = format!("{} of its splats move while the shutter is open", scene.splats.len());
+            let reason = "it moves while the shutter is open".to_owned();
             return excluded("motion blur", reason, 0, format!("set `time_bins = {time_bins}`"));
         }
         if matches!(method(scene), Some(Method::Bins(_))) && time_bins != config.time_bins {
@@ -62,7 +62,7 @@ impl MovingPlan {
             );
             return excluded("other bins of the exposure", reason, config.time_bins, remedy);
         }
-        let splats = scene.moving_part(time_bins as usize);
+        let splats = scene.moving_part(config.time_bins as usize);
         let each = || splats.iter().map(|moving| &moving.splat);
         let constants = differing(each());
         let plan = held(scene, config, constants, has_materials(each()))?;
