@@ -373,7 +373,7 @@ fn a_moving_scene_is_rendered_on_two_cores() {
     // On hardware for a larger image, as it is.
     workplace.write(
         "larger.toml",
-        "kind = \"splat\"\n[image]\nwidth = 128\nheight = 128\n[features]\ntime_bins = 8\nscreen_filter = \"off\"\n",
+        "kind = \"splat\"\n[image]\nwidth = 128\nheight = 128\n[features]\ntime_bins = 8\nkernel_index_bits = 10\nscreen_filter = \"off\"\n",
     );
     let given = json(&workplace.succeeds(&[&run[..], &["--config", "larger.toml", "-o", "given"]].concat()));
     assert_eq!((&given["fragments"], &given["psnr_db"]), (&report["fragments"], &report["psnr_db"]));

@@ -110,11 +110,12 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --set object.0.motion.velocity=[1,0,0]", "`object.0.motion`", "`[shutter]`"),
     ("run good.toml --set shutter.open=0 --set shutter.close=0", "`shutter.close` is 0", "more than `shutter.open`"),
     ("run good.toml --set splatting.motion=bins:0", "`splatting.motion` is \"bins:0\"", "\"bins:8\""),
-    ("run moving.toml", "moving.toml", "--model reference"),
-    ("plan moving.toml", "moving.toml", "--model reference"),
-    ("gen moving.toml -o out", "moving.toml", "--model reference"),
-    ("accuracy moving.toml", "the scene moves", "--model reference"),
-    ("vectors moving.toml -o out", "moving.toml", "--model reference"),
+    ("run moving.toml --set splatting.motion=exact", "moving.toml", "--model reference"),
+    ("plan moving.toml --set splatting.motion=gpu", "moving.toml", "--model reference"),
+    ("gen moving.toml -o out --set splatting.motion=bins:3", "\"bins:3\"", "--model reference"),
+    ("run moving.toml --set splatting.resample_px=0", "`splatting.resample_px` is 0", "0.01"),
+    ("plan moving.toml --luts 50000", "moving.toml", "`[shutter]`"),
+    ("vectors moving.toml -o out", "moving.toml", "`[shutter]`"),
     // What is not to be seen.
     ("run good.toml --set camera.target=[0,0,9] --model reference", "good.toml", "camera.fit"),
 ];
