@@ -1,13 +1,12 @@
-//! Which samples a moving splat may reach: those within the hull of its bounds at both ends of its life, a rectangle without the corners that
-//! diagonals cut off.
+//! Which samples a moving splat may reach: those within the hull of its octagons at both ends of its life.
 
 use super::instant::Instant;
 use super::life::Life;
 use super::{MotionSetup, MotionUniforms, Moving};
 use crate::number::Number;
 use crate::splat::setup::bounds;
-use pointcore_contract::Format;
 use pointcore_contract::splat::records::{ImageDiagonals, ImageRectangle};
+use pointcore_contract::{Format, Sampling};
 
 /// Beyond every image, px.
 const FARTHEST: f32 = 8191.0;
@@ -15,9 +14,8 @@ const FARTHEST: f32 = 8191.0;
 const FARTHEST_SUM: f32 = 16383.0;
 /// Bits of a sum.
 const SUM_BITS: u32 = 14;
-/// Pixels by which limits along diagonals are wider than they come out, at their begin and at their end: for the place of samples within their pixel,
-/// and for roundings.
-const MARGIN: [u64; 2] = [2, 1];
+/// What rounding may move a limit along a diagonal by, px, in a format as precise as `f32`, and in others.
+const ROUNDING: [f32; 2] = [0.125, 0.5];
 
 /// Rectangle and diagonals; `None` where there is no sample.
 pub(super) fn octagon(
@@ -58,32 +56,53 @@ fn within(unit: &MotionSetup, instant: &Instant, axis: usize) -> [Number; 2] {
 
 /// Bounds along an axis at an instant at which all of the splat lies before the eye.
 fn extent(unit: &MotionSetup, instant: &Instant, axis: usize) -> [Number; 2] {
+    reach(unit, instant, [instant.center, instant.a, instant.b].map(|vector| vector[axis]))
+}
+
+/// Bounds of center and tangents along any direction at such an instant.
+fn reach(unit: &MotionSetup, instant: &Instant, [center, a, b]: [Number; 3]) -> [Number; 2] {
     let Instant { alpha, beta, reciprocal: g, .. } = *instant;
-    let (center, a, b) = (instant.center[axis], instant.a[axis], instant.b[axis]);
     let t = (a * alpha + b * beta) * g;
     let h = unit.sqrt(t * t + (a * a + b * b) * g);
     let middle = center - t;
     [middle - h, middle + h]
 }
 
-/// Limits of the hull of both boxes: every point of the splat goes from a place in one to a place in the other, along a line. None where one is
+/// The least and the largest place of a sample in its pixel along sum and difference.
+const fn places(sampling: Sampling) -> [[f32; 2]; 2] {
+    match sampling {
+        Sampling::Center => [[1.0, 1.0], [0.0, 0.0]],
+        Sampling::Flipquad => [[0.375, 0.625], [-0.625, 0.625]],
+    }
+}
+
+/// Limits of the hull of both octagons: every point of the splat goes from a place in one to a place in the other, along a line. None where one is
 /// not known, or too coarsely.
 fn diagonals(unit: &MotionSetup, ends: &[Instant; 2]) -> ImageDiagonals {
     let largest = (1 << unit.config.diagonal_bits()) - 1;
-    if unit.geometry.mantissa < Format::F24.mantissa || !ends.iter().all(|end| end.is_whole) {
+    let mantissa = unit.geometry.mantissa;
+    if mantissa < Format::F24.mantissa || !ends.iter().all(|end| end.is_whole) {
         return ImageDiagonals { first_sum: 0, last_sum: largest, first_difference: 0, last_difference: largest };
     }
-    let boxes = [0, 1].map(|end: usize| [0, 1].map(|axis| extent(unit, &ends[end], axis)));
-    let sums = boxes.map(|[x, y]| [x[0] + y[0], x[1] + y[1]]);
-    let differences = boxes.map(|[x, y]| [x[0] - y[1], x[1] - y[0]]);
-    let below = unit.one().of(f32::from((1_u16 << unit.config.row_bits()) - 1));
-    let limits = |[begin, end]: [[Number; 2]; 2], from: Number| {
-        let (zero, farthest) = (unit.number(0), from.of(FARTHEST_SUM));
-        let first = (begin[0].min(end[0]) + from).max(zero).min(farthest).to_fixed(SUM_BITS, 0);
-        let last = (begin[1].max(end[1]) + from).min(farthest).max(zero).to_fixed(SUM_BITS, 0);
-        [first.saturating_sub(MARGIN[0]), last + MARGIN[1]].map(|limit| limit.min(largest.into()) as u16)
+    let along = |[x, y]: [Number; 2], is_sum: bool| if is_sum { x + y } else { x - y };
+    let hull = |is_sum: bool| {
+        let [begin, end] = [0, 1].map(|end: usize| {
+            let instant = &ends[end];
+            reach(unit, instant, [instant.center, instant.a, instant.b].map(|vector| along(vector, is_sum)))
+        });
+        [begin[0].min(end[0]), begin[1].max(end[1])]
     };
-    let [first_sum, last_sum] = limits(sums, unit.number(0));
-    let [first_difference, last_difference] = limits(differences, below);
+    let rounding = ROUNDING[usize::from(mantissa < Format::F32.mantissa)];
+    let limits = |[low, high]: [Number; 2], [least, most]: [f32; 2], below: f32| {
+        let (zero, farthest) = (unit.number(0), low.of(FARTHEST_SUM));
+        let [first, last] = [1.0 - most - rounding, rounding - least].map(|offset| low.of(below + offset));
+        let first = (low + first).max(zero).min(farthest).to_fixed(SUM_BITS, 0);
+        let last = (high + last).min(farthest).max(zero).to_fixed(SUM_BITS, 0);
+        [first, last].map(|limit| limit.min(largest.into()) as u16)
+    };
+    let [of_sum, of_difference] = places(unit.config.sampling);
+    let below = f32::from((1_u16 << unit.config.row_bits()) - 1);
+    let [first_sum, last_sum] = limits(hull(true), of_sum, 0.0);
+    let [first_difference, last_difference] = limits(hull(false), of_difference, below);
     ImageDiagonals { first_sum, last_sum, first_difference, last_difference }
 }
