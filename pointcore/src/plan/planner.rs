@@ -11,7 +11,7 @@ use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 
 /// The most cycles that a splat may take in transform and setup.
 const INTERVAL_MAX: u32 = 16;
-/// The fewest for one that moves: setup has 160 products then, and sharing its operators over less saves a few percent of a frame's time at most.
+/// The fewest for one that moves: setup has 190 products then, and sharing its operators over less saves a few percent of a frame's time at most.
 const MOVING_INTERVAL_MIN: u32 = 4;
 
 /// How large hardware is to be that renders the same.
