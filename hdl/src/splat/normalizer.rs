@@ -59,10 +59,7 @@ fn seen(config: &Config, program: &Program, tile: Value, bin: &Bin<Values>) -> S
     let shutter = Uniforms::<Shutter>::of(program, config, Type::Unsigned(SHUTTER.width));
     let counts: Vec<_> =
         (0..config.time_bins as usize).map(|bin| shutter.declare(|shutter| shutter.weight[bin])).collect();
-    let counts = (0..bits).fold(counts, |counts, level| {
-        let odd = tile.bits(level, level);
-        counts.chunks(2).map(|pair| odd.mux(pair[1], pair[0])).collect()
-    })[0];
+    let counts = datapath::pick(tile, counts);
     let length = program.lit(time_bits + 1, 1 << (time_bits - 1));
     let less = |from: Value, what: Value| from.lt(what).mux(program.lit(time_bits + 1, 0), from - what);
     let time = |[early, late]: [Value; 2]| less(early.zext(time_bits + 1) + late.zext(time_bits + 1), length);

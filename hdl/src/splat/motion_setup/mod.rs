@@ -123,15 +123,9 @@ fn bin(frame: &Frame, [begin, end]: [Value; 2]) -> (Value, [Value; 2]) {
     let middle = (begin + end) * frame.constant(0.5) + frame.one;
     let bin = middle.to_fixed(Fixed { width: bits, fraction: bits - 1, signed: Signedness::Unsigned });
     let border = |index: u32| frame.constant(f64::from(index) / f64::from(1 << (bits - 1)) - 1.0);
-    let pick = |borders: Vec<Value>| {
-        (0..bits).fold(borders, |borders, level| {
-            let odd = bin.bits(level, level);
-            borders.chunks(2).map(|pair| odd.mux(pair[1], pair[0])).collect()
-        })[0]
-    };
     let bins = 1 << bits;
-    let begin = begin.max(pick((0..bins).map(border).collect()));
-    let end = end.min(pick((1..=bins).map(border).collect()));
+    let begin = begin.max(datapath::pick(bin, (0..bins).map(border).collect()));
+    let end = end.min(datapath::pick(bin, (1..=bins).map(border).collect()));
     name!(bin);
     (bin, [begin, end])
 }
