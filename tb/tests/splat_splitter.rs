@@ -19,7 +19,7 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
             let first = random.u32(0..edge);
             [first, random.u32(first..edge.min(first.saturating_add(extent)))].map(|pixel| pixel as u16)
         });
-        let per_pixel = config.columns_a_pixel() as u16;
+        let per_pixel = config.sampling.columns() as u16;
         let row_mask = (1 << config.row_bits()) - 1;
         // Of two pixels within the rectangle, so that something of it is left.
         let mut pixel = || [random.u16(left..=right) / per_pixel, random.u16(top..=bottom)];

@@ -227,8 +227,8 @@ impl Config {
             return Err(ConfigError::MemoryPorts { ports: self.memory_ports, rasterizers: self.rasterizers });
         }
         self.check_motion()?;
-        if !self.width.is_multiple_of(self.columns_a_pixel()) {
-            return Err(ConfigError::CutPixel { width: self.width, columns: self.columns_a_pixel() });
+        if !self.width.is_multiple_of(self.sampling.columns()) {
+            return Err(ConfigError::CutPixel { width: self.width, columns: self.sampling.columns() });
         }
         let attributes = u64::from(self.continuous) + u64::from(self.cardinal);
         if !(1..=u64::from(ATTRIBUTES_MAX)).contains(&attributes) {
@@ -304,12 +304,6 @@ impl Config {
         self.time_bins > 0
     }
 
-    /// Columns of samples that a pixel has.
-    #[must_use]
-    pub const fn columns_a_pixel(&self) -> u32 {
-        self.sampling.columns()
-    }
-
     /// Bits of a bin's number: none where there is but one.
     #[must_use]
     pub const fn bin_bits(&self) -> u32 {
@@ -360,7 +354,7 @@ impl Config {
     /// Bits of a sum of a pixel's column and row.
     #[must_use]
     pub const fn diagonal_bits(&self) -> u32 {
-        let (columns, rows) = (self.column_bits() - self.columns_a_pixel().ilog2(), self.row_bits());
+        let (columns, rows) = (self.column_bits() - self.sampling.columns().ilog2(), self.row_bits());
         1 + if columns < rows { rows } else { columns }
     }
 

@@ -160,7 +160,7 @@ impl Splitter {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        let columns = config.columns_a_pixel() as u16;
+        let columns = config.sampling.columns() as u16;
         let (tile_column_bits, bin_bits) = (config.tile_column_bits(), config.bin_bits());
         let grid = Grid { tile_column_bits, bin_bits, row_bits: config.row_bits(), columns };
         Self { grid, work: None, out: Exit::new(config) }

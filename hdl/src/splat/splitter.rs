@@ -60,10 +60,10 @@ impl Diagonals {
         let Steps { take, moves, wraps } = *steps;
         // One past the last, and a sign.
         let width = config.diagonal_bits() + 2;
-        let tile_pixels = u128::from(TILE_SIZE / config.columns_a_pixel());
+        let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
         let left = tile_of(arriving.bounds.left);
         // A tile has but one column of pixels where a pixel has as many samples as a tile is wide.
-        let column = match LOCAL_BITS - config.columns_a_pixel().ilog2() {
+        let column = match LOCAL_BITS - config.sampling.columns().ilog2() {
             0 => left.zext(width),
             pixel_bits => cat([left, lit(pixel_bits, 0)]).zext(width),
         };
@@ -94,7 +94,7 @@ impl Diagonals {
     fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
         let Self { first_sum, past_sum, first_difference, past_difference } = *self;
         let wide = |value: Expr| value.zext(DIAGONAL_BITS);
-        let pixel = |column: Expr| match config.columns_a_pixel().ilog2() {
+        let pixel = |column: Expr| match config.sampling.columns().ilog2() {
             LOCAL_BITS => lit(LOCAL_BITS, 0),
             sample_bits => column.bits(LOCAL_BITS - 1, sample_bits).zext(LOCAL_BITS),
         };

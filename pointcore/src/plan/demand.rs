@@ -161,7 +161,7 @@ impl Demand {
     fn drawn(config: &Config, drawn: &SetupSplat, copies: impl Iterator<Item = SplatCopy>) -> Self {
         let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
         let columns =
-            |copy: &SplatCopy, row| rasterizer::columns(config.columns_a_pixel(), &copy.bounds, &copy.diagonals, row);
+            |copy: &SplatCopy, row| rasterizer::columns(config.sampling.columns(), &copy.bounds, &copy.diagonals, row);
         let visited = |copy: SplatCopy| rows(&copy).map(|row| columns(&copy, row).count()).sum::<usize>();
         let (copies, samples) = copies.map(visited).fold((0, 0), |(count, sum), samples| (count + 1, sum + samples));
         let ImageRectangle { left, right, top, bottom } = drawn.bounds;

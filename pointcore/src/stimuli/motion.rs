@@ -101,7 +101,7 @@ pub fn rendering(config: &Config) -> Rendering {
 }
 
 fn pixels(config: &Config) -> f64 {
-    f64::from(config.width / config.columns_a_pixel())
+    f64::from(config.width / config.sampling.columns())
 }
 
 fn uniform(random: &mut Rng, low: f64, high: f64) -> f64 {

@@ -68,7 +68,7 @@ impl MotionSetup {
             geometry: config.geometry,
             division: config.division,
             edges: [config.width, config.height].map(u64::from),
-            per_pixel: [config.columns_a_pixel(), 1],
+            per_pixel: [config.sampling.columns(), 1],
             has_planes: config.eye_plane.is_on(),
             has_depth_plane: config.has_depth_plane(),
             datapath: Datapath::new(latency, config.setup_interval),

@@ -29,7 +29,7 @@ pub(super) struct Scan {
 
 impl Scan {
     pub fn new(config: &Config, copy: CompleteCopy) -> Self {
-        let (per_pixel, row) = (config.columns_a_pixel(), copy.bounds.top);
+        let (per_pixel, row) = (config.sampling.columns(), copy.bounds.top);
         Self { copy, per_pixel, column: *columns(per_pixel, &copy.bounds, &copy.diagonals, row).start(), row }
     }
 

@@ -33,7 +33,7 @@ pub(super) fn octagon(frame: &Frame, moving: &Moving, life: &Life) -> Octagon {
         [0, 1].map(|axis: usize| extent(frame, &instants[end], [center[axis], a[axis], b[axis]]))
     });
     let grids = [
-        Grid { pixels: config.width, columns: config.columns_a_pixel(), bits: config.column_bits() },
+        Grid { pixels: config.width, columns: config.sampling.columns(), bits: config.column_bits() },
         Grid { pixels: config.height, columns: 1, bits: config.row_bits() },
     ];
     let [(left, right, has_columns), (top, bottom, has_rows)] = [0, 1].map(|axis: usize| {

@@ -52,7 +52,7 @@ fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, ro
 impl Scanner {
     pub fn new(m: &mut Module, config: &Config) -> Self {
         Self {
-            sample_bits: config.columns_a_pixel().ilog2(),
+            sample_bits: config.sampling.columns().ilog2(),
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
             last: m.reg("is_last", 1),

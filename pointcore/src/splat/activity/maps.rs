@@ -101,7 +101,7 @@ impl SampleMaps {
         let lane = Lane { tiles: vec![0; config.tile_slots as usize], waiting: VecDeque::new() };
         let lanes = vec![lane; config.rasterizers as usize];
         let (evaluated, inside) = (zeros.clone(), zeros.clone());
-        let columns_a_pixel = config.columns_a_pixel();
+        let columns_a_pixel = config.sampling.columns();
         Self { layout, columns_a_pixel, lanes, evaluated, inside, hazards: zeros, copies: 0 }
     }
 
