@@ -180,8 +180,7 @@ fn given_hardware_renders_what_planned_hardware_does() {
     let config = Config { width: 80, height: 64, continuous: 9, cardinal: 2, heap_levels: 6, ..Config::default() };
     let given = Plan::on(&scene, &config).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(given.config, config);
-    let [ours, theirs] =
-        [&plan, &given].map(|plan| assemble(plan, &scene.splats, &render(&scene, plan, &generate(plan)).fragments));
+    let [ours, theirs] = [&plan, &given].map(|plan| assemble(plan, &render(&scene, plan, &generate(plan)).fragments));
     assert_eq!((theirs.width, theirs.height), (64, 48));
     assert!(ours.pixels.iter().flatten().count() > 200 && ours.pixels == theirs.pixels);
 }

@@ -84,12 +84,11 @@ impl Render {
             config: &session.plan().config,
             memory: *session.memory(),
             fates: rendered.fates,
-            counters: &outcome.counters,
+            outcome,
             drawn: Drawn::Frame { frame: samples, reference: &reference },
             psnr_db: rendered.picture.psnr_db(&shading::picture(&reference, session.scene())),
             // A difference would end the run.
             mismatches: (self.back_end == BackEnd::VerilogInLockstep).then_some(0),
-            simulated_cycles_per_second: outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64(),
         });
         let count = samples.pixels.len();
         let mut frame = Frame {

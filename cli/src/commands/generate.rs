@@ -37,7 +37,7 @@ pub struct Arguments {
 const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 
 /// What stands still beside what moves: where its core goes, and what its name ends in.
-const STILL: &str = "still";
+pub const STILL: &str = "still";
 
 /// The hardware for a scene, and for what stands still of one that moves.
 fn planned(arguments: &Arguments) -> Result<(Configuration, Option<SplatConfig>), Failure> {

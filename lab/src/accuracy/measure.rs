@@ -67,7 +67,7 @@ fn hardware(scene: &Scene, plan: &Plan, engine: PointEngine) -> Result<(Frame, H
         PointEngine::Lockstep => runner.lockstep(&core, &verilate(&core.design, Trace::Off)?)?,
         PointEngine::Golden | PointEngine::F64 => runner.golden(&core)?,
     };
-    let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+    let rendered = assemble(plan, &outcome.fragments);
     let taken = Hardware { cycles: outcome.counters.cycles, proxy: Proxy::of(&core.design), config: config.clone() };
     Ok((rendered, taken))
 }

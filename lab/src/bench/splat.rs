@@ -90,18 +90,17 @@ impl Reported<'_> {
     pub fn report(&self, runner: &SplatRunner, outcome: &SplatOutcome) -> SplatReport {
         let Self { name, scene, plan, engine, mismatches } = *self;
         let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-        let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+        let rendered = assemble(plan, &outcome.fragments);
         SplatReport::new(&SplatRun {
             scene: name,
             engine,
             config: &plan.config,
             memory: runner.memory,
             fates: Fates::of(&plan.config, runner.frame),
-            counters: &outcome.counters,
+            outcome,
             drawn: Drawn::Frame { frame: &rendered, reference: &reference },
             psnr_db: shade(&rendered, scene).psnr_db(&shade(&reference, scene)),
             mismatches,
-            simulated_cycles_per_second: speed(outcome),
         })
     }
 }

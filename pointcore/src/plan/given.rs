@@ -2,7 +2,7 @@
 
 use super::attributes::{constants, filter_conflict, material_conflict, varying};
 use super::demand::Demand;
-use super::{Effect, Plan, PlanError, everything, has_materials, is_filtered};
+use super::{Effect, Plan, PlanError, everything, is_filtered, materials};
 use crate::scene::Scene;
 use pointcore_contract::Rendering;
 use pointcore_contract::splat::{Config, Feature};
@@ -31,7 +31,7 @@ impl Plan {
             let (value, remedy) = (config.time_bins.to_string(), "set `time_bins = 0`".to_owned());
             return excluded("a still picture", "nothing in it moves".to_owned(), "time_bins", value, remedy);
         }
-        let plan = held(scene, config, constants(scene), has_materials(scene.splats.iter()))?;
+        let plan = held(scene, config, constants(scene), materials(scene.splats.iter()))?;
         plan.meeting(scene, &Demand::of(scene, &everything(scene, config)))
     }
 
@@ -64,7 +64,7 @@ pub(super) fn held(
     scene: &Scene,
     config: &Config,
     constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
-    has_materials: bool,
+    (material, has_materials): (u16, bool),
 ) -> Result<Plan, PlanError> {
     let image = [scene.rendering.width, scene.rendering.height];
     for (key, edge, held) in [("width", image[0], config.width), ("height", image[1], config.height)] {
@@ -130,6 +130,7 @@ pub(super) fn held(
         image,
         attributes,
         constants,
+        material,
         choices: Vec::new(),
         is_filtered: is_filtered(scene),
     })
@@ -158,8 +159,7 @@ pub(super) fn conflict(scene: &Scene, config: &Config, demand: &Demand) -> Optio
         return found(effect, "off", reason, "");
     }
     match filter {
-        // Of what moves, the host widens what is narrower.
-        Some(radius) if !config.screen_filter.is_on() && !config.has_motion() && demand.filtered > 0 => {
+        Some(radius) if !config.screen_filter.is_on() && demand.filtered > 0 => {
             let reason = format!("{} splats of the scene are narrower than its filter of {radius} px", demand.filtered);
             found(Effect::ScreenFilter, "off", reason, " or set `splatting.filter_radius_px = 0`")
         }

@@ -50,6 +50,8 @@ pub struct Plan {
     pub attributes: Vec<usize>,
     /// Values of the attributes that are the same for all splats, and so need no hardware.
     pub constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
+    /// The material of splats that have but one, and so need no hardware for it.
+    pub material: u16,
     /// What was chosen and why.
     pub choices: Vec<Choice>,
     /// Whether the scene has a screen filter at all.
@@ -85,9 +87,11 @@ const fn is_filtered(scene: &Scene) -> bool {
     scene.rendering.filter_radius_px.is_some()
 }
 
-/// Whether fragments must say of which material they are.
-fn has_materials<'a>(mut splats: impl Iterator<Item = &'a Splat>) -> bool {
-    splats.next().is_some_and(|first| splats.any(|splat| splat.material != first.material))
+/// The first splat's material, and whether fragments must say of which they are, for others have another.
+fn materials<'a>(splats: impl Iterator<Item = &'a Splat>) -> (u16, bool) {
+    let mut materials = splats.map(|splat| splat.material);
+    let first = materials.next().unwrap_or_default();
+    (first, materials.any(|material| material != first))
 }
 
 const fn feature(needed: bool) -> Feature {

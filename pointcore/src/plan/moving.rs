@@ -6,7 +6,7 @@ use super::choices::{fixed, of};
 use super::demand::Demand;
 use super::given::held;
 use super::planner::Planner;
-use super::{Choice, Effect, Plan, PlanError, has_materials};
+use super::{Choice, Effect, Plan, PlanError, materials};
 use crate::scene::Scene;
 use pointcore_contract::splat::motion::TIME_BINS_MAX;
 use pointcore_contract::splat::{Config, Feature};
@@ -65,7 +65,7 @@ impl MovingPlan {
         let splats = scene.moving_part(config.time_bins as usize);
         let each = || splats.iter().map(|moving| &moving.splat);
         let constants = differing(each());
-        let plan = held(scene, config, constants, has_materials(each()))?;
+        let plan = held(scene, config, constants, materials(each()))?;
         let everything = Config { eye_plane: Feature::On, ..config.clone() };
         let demand = Demand::of_moving(scene, &splats, &everything);
         let moving = plan.meeting(scene, &demand)?;
@@ -102,14 +102,14 @@ pub(super) fn choices(
     reason: String,
 ) -> Vec<Choice> {
     let parts = splats.len();
-    let filtered = demand.filtered;
+    let widened = demand.widened;
     let filter = match scene.rendering.filter_radius_px {
         Some(radius) => format!(
-            "{filtered} of {parts} are narrower than the filter's {radius} px, and sent as ellipses that are not"
+            "{widened} of {parts} are narrower than the filter's {radius} px, and sent as ellipses that are not"
         ),
         None => "the scene switches it off".to_owned(),
     };
-    let chosen = if filtered > 0 { "on the host" } else { "left out" };
+    let chosen = if widened > 0 { "on the host" } else { "left out" };
     vec![
         of(Effect::TimeBins, format!("{time_bins} bins"), reason),
         fixed(

@@ -4,7 +4,7 @@ use super::attributes::{constants, differing, filter_conflict, material_conflict
 use super::demand::Demand;
 use super::given::{Conflict, conflict};
 use super::overrides::overridden;
-use super::{Choice, Plan, PlanError, choices, everything, feature, has_materials, is_filtered, moving};
+use super::{Choice, Plan, PlanError, choices, everything, feature, is_filtered, materials, moving};
 use crate::scene::Scene;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
@@ -47,7 +47,8 @@ pub struct Planner<'a> {
     demand: Demand,
     attributes: Vec<usize>,
     constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
-    has_materials: bool,
+    /// The first splat's, and whether there are others.
+    materials: (u16, bool),
     /// Why the hardware has so many bins of the exposure, if it has any.
     motion: Vec<Choice>,
 }
@@ -72,9 +73,9 @@ impl<'a> Planner<'a> {
         let demand = Demand::of(scene, &everything(scene, &asked));
         let constants = constants(scene);
         let attributes = varying(&constants);
-        let has_materials = has_materials(scene.splats.iter());
+        let materials = materials(scene.splats.iter());
         let motion = Vec::new();
-        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, has_materials, motion })
+        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, materials, motion })
     }
 
     /// Looks at what moves of a scene.
@@ -90,10 +91,10 @@ impl<'a> Planner<'a> {
         let everything = Config { eye_plane: Feature::On, ..asked.clone() };
         let demand = Demand::of_moving(scene, splats, &everything);
         let constants = differing(splats.iter().map(|moving| &moving.splat));
-        let has_materials = has_materials(splats.iter().map(|moving| &moving.splat));
+        let materials = materials(splats.iter().map(|moving| &moving.splat));
         let motion = moving::choices(scene, splats, &demand, time_bins, reason);
         let attributes = varying(&constants);
-        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, has_materials, motion })
+        Ok(Self { scene, overrides, asked, config, demand, attributes, constants, materials, motion })
     }
 
     /// The size without a budget.
@@ -125,7 +126,7 @@ impl<'a> Planner<'a> {
         let is_moving = config.has_motion();
         config.eye_plane = feature(demand.crossing > 0);
         config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
-        config.cardinal = self.has_materials.into();
+        config.cardinal = self.materials.1.into();
         // A splat has two copies or so. A lane has its share of all of them.
         let levels = demand.copy_levels();
         let lane_levels = |count: usize| (count.max(1).ilog2() + 1).saturating_sub(config.rasterizer_bits());
@@ -169,7 +170,8 @@ impl<'a> Planner<'a> {
         config.validate()?;
         let image = [scene.rendering.width, scene.rendering.height];
         let (attributes, constants) = (attributes.clone(), self.constants);
-        Ok(Plan { config, image, attributes, constants, choices, is_filtered: !is_moving && is_filtered(scene) })
+        let (material, is_filtered) = (self.materials.0, !is_moving && is_filtered(scene));
+        Ok(Plan { config, image, attributes, constants, material, choices, is_filtered })
     }
 }
 

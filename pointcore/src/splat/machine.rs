@@ -21,8 +21,8 @@ pub(super) struct Machine {
     library: Option<Arc<Library>>,
     engine: RenderEngine,
     pub memory: MemorySettings,
-    pub stall: Stall,
-    pub seed: u64,
+    stall: Stall,
+    seed: u64,
 }
 
 impl Machine {
@@ -31,6 +31,17 @@ impl Machine {
         let library = if engine == RenderEngine::Golden { None } else { Some(verilate(&core.design, trace)?) };
         let (config, memory) = (config.clone(), ReconstructionBuffer::SETTINGS);
         Ok(Self { core, config, library, engine, memory, stall: Stall::Never, seed: 1 })
+    }
+
+    /// Holds streams back at random, and chooses the hardware's uninitialized values.
+    pub fn randomized(self, stall: Stall, seed: u64) -> Self {
+        Self { stall, seed, ..self }
+    }
+
+    /// Has its memories answer otherwise.
+    pub fn behind(self, memory: MemorySettings) -> Result<Self, RenderError> {
+        memory.validate()?;
+        Ok(Self { memory, ..self })
     }
 
     /// Runs a frame; hardware alone writes a waveform of it to a path.

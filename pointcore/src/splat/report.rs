@@ -5,6 +5,7 @@ use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
 use super::payload_memory::payload_word_bytes;
+use super::run::SplatOutcome;
 use crate::exposure::{Exposure, is_blank};
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::{Config, records};
@@ -162,29 +163,28 @@ pub struct SplatRun<'a> {
     pub memory: MemorySettings,
     /// What became of the splats sent.
     pub fates: Fates,
-    /// What the host counted.
-    pub counters: &'a SplatCounters,
+    /// What it brought.
+    pub outcome: &'a SplatOutcome,
     /// What came of it.
     pub drawn: Drawn<'a>,
     /// Of the shaded pictures.
     pub psnr_db: f64,
     /// Outputs that differed, where they were compared.
     pub mismatches: Option<u64>,
-    /// Simulation speed.
-    pub simulated_cycles_per_second: f64,
 }
 
 impl SplatReport {
     /// Derives the figures.
     #[must_use]
     pub fn new(run: &SplatRun) -> Self {
-        let SplatCounters { cycles, events, buffer, payloads } = *run.counters;
+        let SplatOutcome { ref counters, simulated_cycles, elapsed, .. } = *run.outcome;
+        let SplatCounters { cycles, events, buffer, payloads } = *counters;
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
         let ratio = |count: u64, each: u64| count as f64 / each.max(1) as f64;
         let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
         let word_bytes = u64::from(payload_word_bytes(run.config));
-        let bounds = bounds(run.config, &run.fates, run.counters);
+        let bounds = bounds(run.config, &run.fates, counters);
         let bound = bounds.into_iter().max_by_key(|bound| bound.cycles).expect("a frame uses resources");
         let (fragments, [width, height]) = (run.drawn.fragments(), run.drawn.size());
         let places = (width * height) as u64 * u64::from(run.config.time_bins.max(1));
@@ -230,7 +230,7 @@ impl SplatReport {
             fragments,
             psnr_db: (!run.drawn.is_blank()).then_some(run.psnr_db),
             differences: run.drawn.differences(run.config),
-            simulated_cycles_per_second: run.simulated_cycles_per_second,
+            simulated_cycles_per_second: simulated_cycles as f64 / elapsed.as_secs_f64(),
         }
     }
 

@@ -130,19 +130,16 @@ impl RenderSession {
 
     /// Holds streams back at random, and chooses the hardware's uninitialized values.
     #[must_use]
-    pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
-        (self.machine.stall, self.machine.seed) = (stall, seed);
-        self
+    pub fn randomized(self, stall: Stall, seed: u64) -> Self {
+        Self { machine: self.machine.randomized(stall, seed), ..self }
     }
 
     /// Has the reconstruction buffer answer otherwise.
     ///
     /// # Errors
     /// No memory answers so.
-    pub fn behind(mut self, memory: MemorySettings) -> Result<Self, RenderError> {
-        memory.validate()?;
-        self.machine.memory = memory;
-        Ok(self)
+    pub fn behind(self, memory: MemorySettings) -> Result<Self, RenderError> {
+        Ok(Self { machine: self.machine.behind(memory)?, ..self })
     }
 
     /// The memory that holds the reconstruction buffer.
@@ -198,7 +195,7 @@ impl RenderSession {
         let (scene, plan) = (&self.scene, &self.plan);
         let frame = EncodedFrame::new(scene, plan);
         let outcome = self.machine.run(&frame, progress, waveform)?;
-        let samples = assemble(plan, &scene.splats, &outcome.fragments);
+        let samples = assemble(plan, &outcome.fragments);
         let (fragments, picture) = (fragments(scene, &samples), shading::picture(&samples, scene));
         Ok(RenderedFrame { fragments, picture, fates: Fates::of(&plan.config, &frame), outcome, samples })
     }

@@ -4,7 +4,7 @@ use super::super::progress::{with_progress, with_spinner};
 use super::super::results::Results;
 use super::super::simulation::Engine;
 use super::super::{Failure, Output, generate, scene_name, waveform, write};
-use super::results::save_pictures;
+use super::results::{compared, save_pictures, to_be_known};
 use super::{Arguments, GENERATING, OPTIONAL, WAVEFORM};
 use pointcore::exposure::is_blank;
 use pointcore::package::Package;
@@ -12,14 +12,10 @@ use pointcore::plan::MovingPlan;
 use pointcore::scene::Scene;
 use pointcore::shading;
 use pointcore::splat::memory::ReconstructionBuffer;
-use pointcore::splat::{
-    Drawn, ExposedFrame, FramePictures, MovingSession, RenderSession, RenderedFrame, RunPage, SplatOutcome,
-    SplatReport, SplatRun, StillPart,
-};
+use pointcore::splat::{Drawn, ExposedFrame, FramePictures, MovingSession, RunPage, SplatReport, SplatRun, StillPart};
 use pointcore::waveform::splat_view;
 use serde::Serialize;
 use serde_json::json;
-use std::fmt::Write as _;
 use std::path::Path;
 
 /// The report as JSON: figures of what moves, and beside them those of what stands still.
@@ -29,11 +25,6 @@ struct Document<'a> {
     report: &'a SplatReport,
     still: Option<&'a SplatReport>,
     notes: &'a [String],
-}
-
-/// Simulated cycles in a second.
-fn speed(outcome: &SplatOutcome) -> f64 {
-    outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64()
 }
 
 /// The figures of what moves, beside the whole picture's reference.
@@ -53,30 +44,12 @@ fn moving_report(
         config: &session.plan().config,
         memory: *session.memory(),
         fates: frame.fates,
-        counters: &frame.outcome.counters,
+        outcome: &frame.outcome,
         drawn: Drawn::Exposure { exposure: &frame.exposure, reference: &reference, fragments },
         psnr_db: pictures.frame.psnr_db(&pictures.reference),
         mismatches: engine.mismatches(),
-        simulated_cycles_per_second: speed(&frame.outcome),
     });
     (report, pictures)
-}
-
-/// The figures of what stands still, as if nothing else were there.
-fn still_report(name: &str, engine: Engine, session: &RenderSession, frame: &RenderedFrame) -> SplatReport {
-    let reference = session.reference();
-    SplatReport::new(&SplatRun {
-        scene: name,
-        engine: engine.name(),
-        config: &session.plan().config,
-        memory: *session.memory(),
-        fates: frame.fates,
-        counters: &frame.outcome.counters,
-        drawn: Drawn::Frame { frame: &frame.samples, reference: &reference },
-        psnr_db: frame.picture.psnr_db(&shading::picture(&reference, session.scene())),
-        mismatches: engine.mismatches(),
-        simulated_cycles_per_second: speed(&frame.outcome),
-    })
 }
 
 /// Renders a scene on the hardware of a plan.
@@ -105,20 +78,16 @@ pub(super) fn run(arguments: &Arguments, scene: Scene, plan: MovingPlan, output:
     let (report, pictures) = moving_report(&name, engine, &session, &frame);
     save_pictures(&pictures, folder)?;
     let parts = session.still().zip(frame.still.as_ref());
-    let still = parts.map(|(session, frame)| StillPart {
-        report: still_report(&name, engine, session, frame),
-        plan: session.plan(),
-    });
+    // As if nothing else were there.
+    let still = parts
+        .map(|(session, frame)| StillPart { report: compared(&name, engine, session, frame).0, plan: session.plan() });
     let notes = &session.scene().notes;
     let mut markdown = report.markdown();
     if let Some(StillPart { report, .. }) = &still {
         markdown += "\n## What stands still\n\nAnother core draws it, and the host lays it behind what moves.\n\n";
         markdown += &report.table();
     }
-    if !notes.is_empty() {
-        markdown += "\n## To be known\n\n";
-        notes.iter().for_each(|note| _ = writeln!(markdown, "- {note}"));
-    }
+    markdown += &to_be_known(notes);
     write(&folder.join("report.md"), &markdown)?;
     let document = Document { report: &report, still: still.as_ref().map(|still| &still.report), notes };
     let text = serde_json::to_string_pretty(&document).expect("reports have string keys");
@@ -152,8 +121,9 @@ fn write_verilog(name: &str, session: &MovingSession, folder: &Path) -> Result<(
     let package = Package::splat(name, session.core(), &session.plan().config)?;
     generate::write_package(&package, folder)?;
     if let Some(still) = session.still() {
-        let package = Package::splat(&format!("{name}_still"), still.core(), &still.plan().config)?;
-        generate::write_package(&package, &folder.join("still"))?;
+        let name = format!("{name}_{}", generate::STILL);
+        let package = Package::splat(&name, still.core(), &still.plan().config)?;
+        generate::write_package(&package, &folder.join(generate::STILL))?;
     }
     Ok(())
 }

@@ -78,20 +78,7 @@ impl<'a> FrameResults<'a> {
 
     /// Adds the next frame, which the session has just rendered.
     pub fn add(&mut self, session: &RenderSession, frame: &RenderedFrame) -> Result<(), Failure> {
-        let reference = session.reference();
-        let reference_picture = shading::picture(&reference, session.scene());
-        let report = SplatReport::new(&SplatRun {
-            scene: self.name,
-            engine: self.engine.name(),
-            config: &session.plan().config,
-            memory: *session.memory(),
-            fates: frame.fates,
-            counters: &frame.outcome.counters,
-            drawn: Drawn::Frame { frame: &frame.samples, reference: &reference },
-            psnr_db: frame.picture.psnr_db(&reference_picture),
-            mismatches: self.engine.mismatches(),
-            simulated_cycles_per_second: frame.outcome.simulated_cycles as f64 / frame.outcome.elapsed.as_secs_f64(),
-        });
+        let (report, pictures) = compared(self.name, self.engine, session, frame);
         if let Some(animation) = &mut self.animation {
             let name = format!("frames/{:04}.png", self.frames.len());
             frame.picture.save_png(&self.folder.join(name))?;
@@ -99,7 +86,6 @@ impl<'a> FrameResults<'a> {
         }
         self.frames.push(FrameFigures::of(&report));
         if self.first.is_none() {
-            let pictures = FramePictures { frame: frame.picture.clone(), reference: reference_picture };
             save_pictures(&pictures, self.folder)?;
             self.first = Some(FirstFrame { report, pictures, activity: frame.outcome.activity.clone() });
         }
@@ -147,10 +133,7 @@ impl<'a> FrameResults<'a> {
         if is_sequence {
             markdown += &table(&self.frames);
         }
-        if !notes.is_empty() {
-            markdown += "\n## To be known\n\n";
-            notes.iter().for_each(|note| _ = writeln!(markdown, "- {note}"));
-        }
+        markdown += &to_be_known(notes);
         let sequence = if is_sequence { &self.frames[..] } else { &[] };
         let document = Document { report: &report, notes, sequence };
         write(&self.folder.join("report.md"), &markdown)?;
@@ -173,6 +156,36 @@ impl<'a> FrameResults<'a> {
             format!("{markdown}\nWritten to {}: {}; index.html tells more", self.place.display(), shown.display());
         Ok(Summary { fragments, document: json!(document), text })
     }
+}
+
+/// A frame's figures and pictures beside the f64 reference.
+pub(super) fn compared(
+    name: &str,
+    engine: Engine,
+    session: &RenderSession,
+    frame: &RenderedFrame,
+) -> (SplatReport, FramePictures) {
+    let reference = session.reference();
+    let pictures =
+        FramePictures { frame: frame.picture.clone(), reference: shading::picture(&reference, session.scene()) };
+    let report = SplatReport::new(&SplatRun {
+        scene: name,
+        engine: engine.name(),
+        config: &session.plan().config,
+        memory: *session.memory(),
+        fates: frame.fates,
+        outcome: &frame.outcome,
+        drawn: Drawn::Frame { frame: &frame.samples, reference: &reference },
+        psnr_db: pictures.frame.psnr_db(&pictures.reference),
+        mismatches: engine.mismatches(),
+    });
+    (report, pictures)
+}
+
+/// What is to be known of a scene, as a section in Markdown.
+pub(super) fn to_be_known(notes: &[String]) -> String {
+    let list: String = notes.iter().map(|note| format!("- {note}\n")).collect();
+    if list.is_empty() { list } else { format!("\n## To be known\n\n{list}") }
 }
 
 /// Writes frame, reference and their difference.

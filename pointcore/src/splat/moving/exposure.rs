@@ -1,11 +1,11 @@
 //! Fragments of bins of the exposure, before a still frame, as an exposed image.
 
-use crate::number::{decode, decode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::shading;
+use crate::splat::frame::surface;
 use pointcore_contract::splat::motion::TIME_FRACTION_BITS;
-use pointcore_contract::splat::records::{self, Attributes, Seen};
+use pointcore_contract::splat::records::{self, Seen};
 use pointcore_golden::reference::motion::{Exposure, Place};
 use pointcore_golden::reference::{Fragment, Frame};
 
@@ -14,7 +14,6 @@ use pointcore_golden::reference::{Fragment, Frame};
 pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still: Option<&Frame>) -> Exposure {
     let rendering = &scene.rendering;
     let shade = shading::colors(scene, &scene.camera);
-    let only_material = scene.moving_part(1).first().map_or(0, |moving| moving.splat.material);
     let mut exposure = Exposure::dark(rendering);
     for found in fragments {
         let [column, row] = [found.column, found.row].map(usize::from);
@@ -25,7 +24,7 @@ pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still
         let (place, index) = (Place::new(column, row, rendering), row * exposure.width + column);
         let Seen { share, rest_share, depth, ref attributes, .. } = found.seen;
         for (share, depth, attributes) in [(share, found.depth, &found.attributes), (rest_share, depth, attributes)] {
-            let surface = surface(plan, depth, attributes, only_material);
+            let surface = surface(plan, depth, attributes);
             let hides = |still: &Fragment| still.depth < surface.depth - rendering.epsilon_bias;
             if share > 0 && !still.and_then(|still| still.pixels[index].as_ref()).is_some_and(hides) {
                 let share = f64::from(share) / f64::from(1 << TIME_FRACTION_BITS);
@@ -41,15 +40,4 @@ pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still
         }
     }
     exposure
-}
-
-fn surface(plan: &Plan, depth: u32, bits: &Attributes, only_material: u16) -> Fragment {
-    let config = &plan.config;
-    let mut attributes = plan.constants.map(|constant| f64::from(constant.unwrap_or(0.0)));
-    for (&index, &bits) in plan.attributes.iter().zip(bits) {
-        attributes[index] = decode_attribute(config.attribute, bits).into();
-    }
-    let cardinals = &bits[config.continuous as usize..config.attributes() as usize];
-    let material = cardinals.first().map_or(only_material, |&material| material as u16);
-    Fragment { depth: decode(config.geometry, depth).into(), weight: 1.0, attributes, material }
 }

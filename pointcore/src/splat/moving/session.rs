@@ -63,21 +63,18 @@ impl MovingSession {
 
     /// Holds streams back at random, and chooses the hardware's uninitialized values.
     #[must_use]
-    pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
-        (self.machine.stall, self.machine.seed) = (stall, seed);
-        self.still = self.still.map(|still| still.randomized(stall, seed));
-        self
+    pub fn randomized(self, stall: Stall, seed: u64) -> Self {
+        let still = self.still.map(|still| still.randomized(stall, seed));
+        Self { machine: self.machine.randomized(stall, seed), still, ..self }
     }
 
     /// Has the reconstruction buffers answer otherwise.
     ///
     /// # Errors
     /// No memory answers so.
-    pub fn behind(mut self, memory: MemorySettings) -> Result<Self, RenderError> {
-        memory.validate()?;
-        self.machine.memory = memory;
-        self.still = self.still.map(|still| still.behind(memory)).transpose()?;
-        Ok(self)
+    pub fn behind(self, memory: MemorySettings) -> Result<Self, RenderError> {
+        let still = self.still.map(|still| still.behind(memory)).transpose()?;
+        Ok(Self { machine: self.machine.behind(memory)?, still, ..self })
     }
 
     /// The memory that holds a reconstruction buffer.

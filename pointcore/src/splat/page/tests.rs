@@ -25,11 +25,10 @@ fn report(session: &RenderSession, frame: &RenderedFrame) -> SplatReport {
         config: &session.plan().config,
         memory: *session.memory(),
         fates: frame.fates,
-        counters: &frame.outcome.counters,
+        outcome: &frame.outcome,
         drawn: Drawn::Frame { frame: &frame.samples, reference: &session.reference() },
         psnr_db: 31.25,
         mismatches: None,
-        simulated_cycles_per_second: 1.0,
     })
 }
 
