@@ -7,9 +7,9 @@ use std::process::Command;
 
 /// A small renderer.
 const SPLATTING: &str = "kind = \"splat\"\nimage = { width = 64, height = 64 }\nfeatures = { geometry = \"f24-ftz\", continuous = 2 }\nimplementation.heap_levels = 5\n";
-/// One of two rasterizers, each with a port to memory, which a bus leads to one, and one to payloads; no edge of its image is a power of
-/// two.
-const WIDE: &str = "kind = \"splat\"\nimage = { width = 72, height = 40 }\nfeatures = { geometry = \"bf16\", continuous = 1 }\nimplementation = { heap_levels = 4, rasterizers = 2, memory_ports = 2, tile_slots = 2, payload = \"memory\" }\n";
+/// One of two rasterizers, each with a port to memory, which a bus leads to one, one to payloads, and one to depths; no edge of its image is
+/// a power of two.
+const WIDE: &str = "kind = \"splat\"\nimage = { width = 72, height = 40 }\nfeatures = { geometry = \"bf16\", continuous = 1, merge = \"on\" }\nimplementation = { heap_levels = 4, rasterizers = 2, memory_ports = 2, tile_slots = 2, payload = \"memory\" }\n";
 /// A small search core with a tree cache and a neighbor cache.
 const CACHED: &str = "kind = \"search\"\nfeatures = { neighbors = 1, tree_depth = 3, bucket = 4, neighbor_cache = 2 }\nimplementation = { threads = 2, tree_cache = 16 }\n";
 /// A small search core whose point memory holds a few points, each in a beat of its own.

@@ -34,7 +34,7 @@ fn host(world: &World, seed: u64) -> PointsHost {
         map: PointsRegisters::registers(config),
         registers: TOP.registers,
         packets: (TOP.queries, TOP.results),
-        reads: reads.collect(),
+        reads: reads.map(|port| (port, search.bus.memory_bits)).collect(),
         writes: vec![],
         window: has_window.then(|| (TOP.window, window_bits(window_index_bits(search)))),
         memory: MEMORY_BYTES,

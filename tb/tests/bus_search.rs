@@ -29,7 +29,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         map: SearchRegisters::registers(config),
         registers: TOP.registers,
         packets: (TOP.queries, TOP.results),
-        reads: reads.collect(),
+        reads: reads.map(|port| (port, config.bus.memory_bits)).collect(),
         writes: vec![],
         window: has_window.then(|| (TOP.window, window_bits(window_index_bits(config)))),
         memory: MEMORY_BYTES,

@@ -1,9 +1,10 @@
 //! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run, and after runs that were aborted.
 
 use pointcore::number;
+use pointcore::splat::depth_memory::Depths;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Config as Widths;
-use pointcore_contract::splat::Config;
+use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::splat::config::PayloadStore;
 use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
 use pointcore_contract::{fields, words};
@@ -11,7 +12,7 @@ use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
-use crate::bus::host::{Host, MemoryOrder, RESET, around_renderer};
+use crate::bus::host::{Bases, Host, MemoryOrder, RESET, around_renderer, place};
 use crate::splat::{configs, fixed_configs, scene, in_order};
 
 /// Splats and ends of several frames.
@@ -35,19 +36,25 @@ fn frames(config: &Config) -> Vec<EncodedFrame> {
             uniforms.filter_radius = number::encode(config.geometry, WIDE_PX);
             uniforms.filter_scale = number::encode_uniform(config.filter_scale_format(), 1.0 / (WIDE_PX * WIDE_PX));
         }
-        EncodedFrame { records: splats.to_vec(), uniforms }
+        EncodedFrame { records: splats.to_vec(), uniforms, depths: None }
     };
     records.split_inclusive(|splat| splat.end).enumerate().map(frame).collect()
 }
 
-/// The fragments of each frame, as the model makes them.
-fn expected(config: &Config, frames: &[EncodedFrame]) -> Vec<Vec<Fragment>> {
+/// The fragments of each frame, as the model makes them without testing them against depths in memory.
+fn reconstructed(config: &Config, frames: &[EncodedFrame]) -> Vec<Vec<Fragment>> {
+    let config = &Config { merge: Feature::Off, ..config.clone() };
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let fragments = |frame| {
         let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
         sorted(config, outcome.fragments)
     };
     frames.iter().map(fragments).collect()
+}
+
+/// What lies in memory before a frame: of each sample something in the midst of the scene, before it or behind it.
+fn depths(config: &Config) -> Depths {
+    Depths::new(config, |column, row| Some([0.1, 0.5, 0.7, 0.9][((column / 3 + row / 2) % 4) as usize]))
 }
 
 fn sorted(config: &Config, mut fragments: Vec<Fragment>) -> Vec<Fragment> {
@@ -58,16 +65,22 @@ fn sorted(config: &Config, mut fragments: Vec<Fragment>) -> Vec<Fragment> {
 type SplatHost = Host<Splat, Fragment>;
 
 /// The core with a host and memory around it.
-fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> SplatHost {
+fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> (SplatHost, Bases) {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-    let (around, payload_base) = around_renderer(config, BUFFER_BASE, memory_order);
+    let (around, bases) = around_renderer(config, BUFFER_BASE, memory_order);
     let mut host = Host::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
     host.write("buffer_base", BUFFER_BASE);
-    if config.has_payloads_in_memory() {
-        host.write("payload_base", payload_base);
+    place(&mut host, config, bases);
+    (host, bases)
+}
+
+/// Puts depths into memory, where fragments are tested against them.
+fn put_depths(host: &mut SplatHost, config: &Config, bases: Bases) {
+    if config.merge.is_on() {
+        let bytes: Vec<u8> = depths(config).bits().iter().flat_map(|bits| bits.to_le_bytes()).collect();
+        host.memory[bases.depths as usize..][..bytes.len()].copy_from_slice(&bytes);
     }
-    host
 }
 
 /// Writes a frame's uniforms.
@@ -78,7 +91,12 @@ fn look(host: &mut SplatHost, config: &Config, frame: &EncodedFrame) {
 }
 
 /// The frames over the bus, each a run; a packet now and then is too short, and is sent again.
-fn one_by_one(host: &mut SplatHost, config: &Config, frames: &[EncodedFrame], seed: u64) -> Vec<Vec<Fragment>> {
+fn one_by_one(
+    (host, bases): (&mut SplatHost, Bases),
+    config: &Config,
+    frames: &[EncodedFrame],
+    seed: u64,
+) -> Vec<Vec<Fragment>> {
     let mut random = fastrand::Rng::with_seed(seed);
     let (mut found, mut refused) = (vec![], 0);
     for (number, frame) in frames.iter().enumerate() {
@@ -87,6 +105,7 @@ fn one_by_one(host: &mut SplatHost, config: &Config, frames: &[EncodedFrame], se
         if number != 1 {
             aborted_run(host, config, &splats[..splats.len() - 1], &mut random);
         }
+        put_depths(host, config, bases);
         assert!(host.start(if number == 1 { RESET } else { 0 }));
         for splat in splats.iter().map(|splat| words(config, *splat)) {
             if config.bus.stream_bits < 512 && random.u8(..16) == 0 {
@@ -142,21 +161,30 @@ fn frames_on_the_bus_are_those_of_the_model() {
     let widths = [(64, 64), (32, 512), (512, 32), (64, 128), (128, 64)];
     let [bare, ..] = configs();
     let payload = PayloadStore::Memory;
-    let several = Config { rasterizers: 4, memory_ports: 4, payload, payload_beats: 3, ..bare };
+    let several = Config { rasterizers: 4, memory_ports: 4, payload, payload_beats: 3, merge: Feature::On, ..bare };
     for (config, (stream_bits, memory_bits)) in configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frames = frames(&config);
-        let expected = expected(&config, &frames);
-        let count = expected.iter().map(Vec::len).sum::<usize>();
+        let all = reconstructed(&config, &frames);
+        let merged = |frame: &Vec<Fragment>, depths: &mut Depths| match config.merge {
+            Feature::On => depths.merge(&config, frame),
+            Feature::Off => frame.clone(),
+        };
+        let alone: Vec<_> = all.iter().map(|frame| merged(frame, &mut depths(&config))).collect();
+        let mut left = depths(&config);
+        let in_turn: Vec<_> = all.iter().map(|frame| merged(frame, &mut left)).collect();
+        let count = in_turn.iter().map(Vec::len).sum::<usize>();
         assert!(count > 250, "{count} fragments");
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
             for seed in seeds(1).unwrap() {
-                let host = &mut around(&config, memory_order, seed);
-                let runs = [one_by_one(host, &config, &frames, seed), ahead(host, &config, &frames)];
-                for (found, way) in runs.into_iter().zip(["one by one", "ahead"]) {
-                    let found_count = found.iter().map(Vec::len).sum::<usize>();
-                    let counts = format!("{found_count} fragments instead of {count}");
-                    assert!(found == expected, "{way}, {memory_order:?}, seed {seed}: {counts}");
+                let (mut host, bases) = around(&config, memory_order, seed);
+                let separately = one_by_one((&mut host, bases), &config, &frames, seed);
+                put_depths(&mut host, &config, bases);
+                let together = ahead(&mut host, &config, &frames);
+                for (found, expected, way) in [(separately, &alone, "one by one"), (together, &in_turn, "ahead")] {
+                    let count = |frames: &[Vec<Fragment>]| frames.iter().map(Vec::len).sum::<usize>();
+                    let counts = format!("{} fragments instead of {}", count(&found), count(expected));
+                    assert!(found == *expected, "{way}, {memory_order:?}, seed {seed}: {counts}");
                 }
             }
         }

@@ -21,7 +21,7 @@ use pointcore_lab::soak::extent;
 use pointcore_tb::lockstep::seeds;
 use pointcore_tb::verilated::{BuildOptions, Builder};
 
-use crate::bus::host::{Host, MemoryOrder, around_renderer};
+use crate::bus::host::{Host, MemoryOrder, around_renderer, place};
 
 /// Configurations of each core.
 const CONFIGURATIONS: u64 = 2;
@@ -97,9 +97,9 @@ const BEATS: u64 = 32;
 fn expected(config: &Config, frame: &EncodedFrame) -> (Vec<Fragment>, u64) {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
-    let SplatCounters { buffer, payloads, .. } = outcome.counters;
+    let SplatCounters { buffer, payloads, depths, .. } = outcome.counters;
     let packets = (frame.records.len() + outcome.fragments.len()) as u64;
-    let moved = packets + buffer.read + buffer.written + payloads.read + payloads.written;
+    let moved = packets + [buffer, payloads, depths].iter().map(|passed| passed.read + passed.written).sum::<u64>();
     (outcome.fragments, BUS_SHARE * (outcome.counters.cycles + BEATS * moved))
 }
 
@@ -113,7 +113,7 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
             .into_iter()
             .map(|frame| {
                 let uniforms: Uniforms = read(&config, &frame.uniforms);
-                let expected = expected(&config, &EncodedFrame { records: frame.records.clone(), uniforms });
+                let expected = expected(&config, &EncodedFrame { records: frame.records.clone(), uniforms, depths: None });
                 (frame, expected)
             })
             .find(|(_, (fragments, _))| !fragments.is_empty())
@@ -122,11 +122,10 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
         crate::splat::in_order(&config, &mut expected);
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
             let top = splat::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-            let (around, payload_base) = around_renderer(&config, 0, memory_order);
+            let (around, bases) = around_renderer(&config, 0, memory_order);
             let mut host = Host::<Splat, Fragment>::new(top.module, &config, config.bus, around, seed);
-            if config.has_payloads_in_memory() {
-                host.write("payload_base", payload_base);
-            }
+            place(&mut host, &config, bases);
+            host.memory[bases.depths as usize..].fill(0xff);
             for (field, &value) in fields::<Uniforms>(&config).iter().zip(&frame.uniforms) {
                 host.write(&field.name, value as u32);
             }

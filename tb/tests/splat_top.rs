@@ -1,12 +1,15 @@
 //! `splat_top` against its model, in every cycle: units, wiring, and frames that depend on their splats alone.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use pointcore::splat::activity::{State, Unit};
-use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
-use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::PayloadStore;
+use pointcore::splat::depth_memory::Depths;
+use pointcore::splat::{EncodedFrame, SplatCore, SplatCounters, SplatOutcome, SplatRunner};
+use pointcore_contract::Format;
+use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, PayloadStore};
 use pointcore_contract::splat::records::Fragment;
+use pointcore_contract::splat::{Config, Feature};
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, Waveform, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
 
@@ -17,7 +20,7 @@ use crate::support;
 const RECORDS: usize = 400;
 
 fn frames(config: &Config, count: usize) -> EncodedFrame {
-    EncodedFrame { records: scene::world(config, count), uniforms: scene::registers(config) }
+    EncodedFrame { records: scene::world(config, count), uniforms: scene::registers(config), depths: None }
 }
 
 fn run(
@@ -93,6 +96,44 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         let stall = Stall::Random(0.2);
         let runner = SplatRunner { stall, seed, ..SplatRunner::new(&config, &frame) };
         is_seen_at_ports(&runner.hardware(&library, None).unwrap_or_else(|error| panic!("{error}")), &twice);
+    }
+}
+
+/// What memory holds decides which fragments leave, and nothing else does.
+#[test]
+fn fragments_leave_that_are_nearer_than_what_is_in_memory() {
+    let [bare, _, mixed] = configs();
+    for config in [bare, Config { rasterizers: 2, memory_ports: 2, geometry: Format::F24, ..mixed }] {
+        let [alone, config] = [Feature::Off, Feature::On].map(|merge| Config { merge, ..config.clone() });
+        let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+        let library = support::build(&VerilogSource::from(&core.design));
+        let low_bits = MERGED_DEPTH_BITS - config.geometry.width();
+        // One frame: those that follow are tested against the depths of those before.
+        let mut frame = frames(&config, RECORDS);
+        let end = frame.records.iter().position(|record| record.end).expect("there is a frame");
+        frame.records.truncate(end + 1);
+        let core_alone = SplatCore::generate(&alone).unwrap_or_else(|error| panic!("{error}"));
+        let all = SplatRunner::new(&alone, &frame).golden(&core_alone).unwrap_or_else(|error| panic!("{error}")).fragments;
+        // Nothing, something before, something behind, and the very same.
+        let drawn: HashMap<_, _> = all.iter().map(|found| ((found.column, found.row), found.depth)).collect();
+        let held = |column: u32, row: u32| match (column + row) % 4 {
+            0 => None,
+            kind => drawn.get(&(column as u16, row as u16)).map(|depth| f32::from_bits((depth + kind - 2) << low_bits)),
+        };
+        frame.depths = Some(Depths::new(&config, held));
+        let is_nearer = |found: &&Fragment| matches!((found.column + found.row) % 4, 0 | 3);
+        let mut expected: Vec<_> = all.iter().filter(is_nearer).copied().collect();
+        in_order(&config, &mut expected);
+        assert!(expected.len() > 100 && all.len() - expected.len() > 100);
+        for seed in seeds(RUNS).unwrap() {
+            let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
+            let mut outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
+            in_order(&config, &mut outcome.fragments);
+            assert!(outcome.fragments == expected, "seed {seed}: {} fragments", outcome.fragments.len());
+            let hidden = (all.len() - expected.len()) as u64;
+            let SplatCounters { events, depths, .. } = outcome.counters;
+            assert_eq!([events.hidden, depths.read, depths.written], [hidden, all.len() as u64, expected.len() as u64]);
+        }
     }
 }
 

@@ -6,7 +6,8 @@ use crate::process::{self, records::Neighbor};
 use crate::search;
 use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use crate::splat;
-use crate::splat::records::{Fragment, PayloadWord, Pixel, Splat};
+use crate::splat::config::MERGED_DEPTH_BITS;
+use crate::splat::records::{Depth, Fragment, PayloadWord, Pixel, Splat};
 use crate::{Field, Record, fields, places};
 
 /// A record that travels as a packet.
@@ -114,6 +115,10 @@ pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
     if config.has_payloads_in_memory() {
         let doc = "A word of a payload, which only the core reads and writes.";
         records.push(memory("payload_word", doc, fields::<PayloadWord>(config), bus.memory_bits));
+    }
+    if config.merge.is_on() {
+        let doc = "A depth that fragments are tested against.";
+        records.push(memory("depth", doc, fields::<Depth>(config), MERGED_DEPTH_BITS));
     }
     records
 }

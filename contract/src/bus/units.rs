@@ -6,6 +6,7 @@ use super::layout::Layout;
 use super::packets::Packet;
 use super::registers::{ErrorInputs, ErrorSources, RegisterMap, RegisterWrite, UniformBits, When};
 use crate::record::{Domain, Visitor};
+use crate::splat::config::MERGED_DEPTH_BITS;
 use crate::splat::config::index_bits;
 use crate::splat::records::UniformWrite;
 use crate::{Field, Record, Visit, points, ports, record, search, splat};
@@ -313,6 +314,16 @@ pub struct SplatAxi {
     #[count(config.payload_ports())]
     #[with(&config.bus.memory_bits)]
     payload_writes: [WriteMaster; 8],
+    /// Memory with depths that fragments of a stream are tested against.
+    #[port("m_axi_depth")]
+    #[count(config.merge_ports())]
+    #[with(&MERGED_DEPTH_BITS)]
+    depth_reads: [ReadMaster; 4],
+    /// The same memory.
+    #[port("m_axi_depth")]
+    #[count(config.merge_ports())]
+    #[with(&MERGED_DEPTH_BITS)]
+    depth_writes: [WriteMaster; 4],
 }
 
 /// The search core on AXI.

@@ -53,6 +53,8 @@ pub const COLLECTED_READS: u32 = 32;
 pub const MEMORY_PORTS_MAX: u32 = 4;
 /// The most rasterizers.
 pub const RASTERIZERS_MAX: u32 = 8;
+/// Bits of a depth in memory: an `f32`, as depth buffers of triangles have it.
+pub const MERGED_DEPTH_BITS: u32 = 32;
 /// Copies that wait until memory has taken their payload.
 pub const WRITTEN_COPIES: u32 = 8;
 /// Bits of the counter of copies under way in one tile slot.
@@ -140,6 +142,9 @@ configuration! {
             eye_plane: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
             /// Bins of the exposure that splats which move are told apart in (thesis ch. 4), each with tiles of its own. 0 where nothing moves.
             time_bins: u32 = 0, described("0, 1, 2, 4, 8"), Input;
+            /// Fragments are tested against depths in memory, of triangles or of surfaces that came before, and only those that are
+            /// nearer leave (thesis 5.4.6).
+            merge: Feature = Feature::Off, described("`\"on\"`, `\"off\"`"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
             /// Leading bits of ρ² that choose an entry of the kernel's table; with `time_bins` those of a distance, too, in that of its integral.
@@ -168,6 +173,8 @@ configuration! {
             payload: PayloadStore = PayloadStore::Chip, described("`\"chip\"`, `\"memory\"`"), User;
             /// Copies whose payload is asked for before they are drawn, where it is in memory: enough for its latency.
             payload_ahead: u32 = 16, range(1, 64), User;
+            /// Fragments whose depth in memory is asked for before they are tested, with `merge`: enough for its latency.
+            merge_ahead: u32 = 64, range(8, 1024), User;
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).
@@ -265,6 +272,9 @@ impl Config {
                 }
                 if self.rasterizer.is_some_and(|format| format != RasterFormat::Float(self.geometry)) {
                     return needs("rasterizer", "geometry", "footprints that move are in the format of all geometry");
+                }
+                if self.merge.is_on() {
+                    return needs("merge", "off", "a bin of the exposure has no depth of its own in memory");
                 }
                 Ok(())
             }
@@ -460,6 +470,18 @@ impl Config {
     #[must_use]
     pub fn payload_ports(&self) -> u32 {
         if self.has_payloads_in_memory() { self.rasterizers } else { 0 }
+    }
+
+    /// Ports to depths in memory: with `merge`, one for each port to the reconstruction buffer.
+    #[must_use]
+    pub const fn merge_ports(&self) -> u32 {
+        if self.merge.is_on() { self.memory_ports } else { 0 }
+    }
+
+    /// Bits of a number of ports to the reconstruction buffer.
+    #[must_use]
+    pub const fn port_count_bits(&self) -> u32 {
+        self.memory_ports.ilog2() + 1
     }
 
     /// Bits of a number of copies of one splat: it has one a tile at most.

@@ -10,6 +10,7 @@ pub mod fragment_collector;
 pub mod heap;
 pub mod lane;
 pub mod lists;
+pub mod merge;
 pub mod motion_evaluation;
 pub mod motion_setup;
 pub mod normalizer;
@@ -35,7 +36,7 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last. Those of motion stand beside it.
-pub const UNITS: [(&Unit<Config>, Describe); 22] = [
+pub const UNITS: [(&Unit<Config>, Describe); 23] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -54,6 +55,7 @@ pub const UNITS: [(&Unit<Config>, Describe); 22] = [
     (&units::arbiter::UNIT, |config| Ok(arbiter::module(config))),
     (&units::collector::UNIT, |config| Ok(collector::module(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
+    (&units::merge::UNIT, |config| Ok(merge::module(config))),
     (&units::fragment_collector::UNIT, |config| Ok(fragment_collector::module(config))),
     (&units::motion_setup::UNIT, |config| Ok(motion_setup::datapath(config, &Options::default())?.module)),
     (&units::motion_evaluation::UNIT, |config| Ok(motion_evaluation::datapath(config, &Options::default())?.module)),
@@ -110,8 +112,9 @@ mod tests {
         let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::Sixteen)), ..Config::default() };
         let one_bin = Config { time_bins: 1, cardinal: 1, ..moving() };
         for config in [Config::default(), small, fixed, coarse, integers, moving(), one_bin] {
-            let left_out = if config.has_motion() { "splat_setup" } else { "splat_motion_" };
-            for (unit, describe) in UNITS.into_iter().filter(|(unit, _)| !unit.module.starts_with(left_out)) {
+            let left_out = if config.has_motion() { ["splat_setup", "splat_merge"] } else { ["splat_motion_"; 2] };
+            let is_there = |unit: &Unit<Config>| !left_out.iter().any(|name| unit.module.starts_with(name));
+            for (unit, describe) in UNITS.into_iter().filter(|(unit, _)| is_there(unit)) {
                 check(&described(describe, &config), unit.ports(&config));
             }
         }
@@ -122,7 +125,8 @@ mod tests {
         let config = Config { cardinal: 1, ..Config::default() };
         let several = Config { rasterizers: 4, memory_ports: 2, ..Config::default() };
         let (core, describe) = UNITS[UNITS.len() - 1];
-        for config in [config, several, moving()] {
+        let merging = Config { merge: Feature::On, ..several.clone() };
+        for config in [config, several, moving(), merging] {
             check_in_order(&described(describe, &config), &core.ports(&config));
         }
     }

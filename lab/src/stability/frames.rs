@@ -36,7 +36,11 @@ pub fn frame(config: &Config, first: u64, splats: u64, seed: u64) -> EncodedFram
         splat.attributes[config.attributes() as usize..].fill(0);
         splat
     };
-    EncodedFrame { records: (first..first + splats).map(splat).chain([END]).collect(), uniforms: uniforms(config) }
+    EncodedFrame {
+        records: (first..first + splats).map(splat).chain([END]).collect(),
+        uniforms: uniforms(config),
+        depths: None,
+    }
 }
 
 /// Constants of a camera before which all cases are what they are named for.

@@ -40,7 +40,7 @@ pub(super) const fn sample_interval(config: &Config) -> u32 {
 
 /// Every resource of a frame that was run.
 #[must_use]
-pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [FrameBound; 7] {
+pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [FrameBound; 8] {
     let times = |count: u64, interval: u32| count * u64::from(interval);
     let by_rasterizer = |cycles: u64| cycles.div_ceil(config.rasterizers.into());
     [
@@ -51,6 +51,7 @@ pub fn bounds(config: &Config, fates: &Fates, counters: &SplatCounters) -> [Fram
         ("splats in setup", times(fates.set_up, config.setup_interval)),
         ("reconstruction buffer", counters.buffer.busy_cycles),
         ("memory of payloads", counters.payloads.busy_cycles),
+        ("memory of depths", counters.depths.busy_cycles),
     ]
     .map(|(name, cycles)| FrameBound { name, cycles })
 }
@@ -75,10 +76,11 @@ mod tests {
             events: EventCounts { sample: 100, ..EventCounts::default() },
             buffer: Traffic { busy_cycles: 64, ..Traffic::default() },
             payloads: Traffic { busy_cycles: 48, ..Traffic::default() },
+            depths: Traffic { busy_cycles: 32, ..Traffic::default() },
             ..SplatCounters::default()
         };
         let cycles = |config: &Config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
-        assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64, 48]);
+        assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64, 48, 32]);
         let two = Config { rasterizers: 2, ..config.clone() };
         assert_eq!(cycles(&two)[..3], [50, 30, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };

@@ -1,5 +1,6 @@
 //! A scene as the renderer takes it: splat records and uniform registers.
 
+use super::depth_memory::Depths;
 use super::moving::{moving_records, shutter_weights};
 use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
@@ -24,6 +25,8 @@ pub struct EncodedFrame {
     pub records: Vec<records::Splat>,
     /// The uniform registers.
     pub uniforms: Uniforms,
+    /// What lies in memory that fragments are tested against; nothing, unless it is said.
+    pub depths: Option<Depths>,
 }
 
 impl EncodedFrame {
@@ -38,7 +41,7 @@ impl EncodedFrame {
             scene.splats.iter().map(|splat| splat_record(splat, plan)).collect()
         };
         records.push(END);
-        Self { records, uniforms }
+        Self { records, uniforms, depths: None }
     }
 }
 

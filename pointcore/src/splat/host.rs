@@ -1,5 +1,6 @@
 //! The host around the renderer: writes uniforms, sends splats, plays its memories, collects fragments, counts.
 
+use super::depth_memory::DepthMemory;
 use super::encode::EncodedFrame;
 use super::memory::ReconstructionBuffer;
 use super::payload_memory::PayloadMemory;
@@ -30,18 +31,21 @@ pub struct EventCounts {
     pub hazard: u64,
     /// The accumulator waited for its tile to arrive in the cache.
     pub slot_wait: u64,
+    /// Fragments that something nearer in memory hid.
+    pub hidden: u64,
 }
 
 impl EventCounts {
     /// Counts what happened in a cycle.
     fn add(&mut self, events: &Events) {
-        let Events { sample, starved, blocked, accumulate, hazard, slot_wait } = *events;
+        let Events { sample, starved, blocked, accumulate, hazard, slot_wait, hidden } = *events;
         self.sample += u64::from(sample);
         self.starved += u64::from(starved);
         self.blocked += u64::from(blocked);
         self.accumulate += u64::from(accumulate);
         self.hazard += u64::from(hazard);
         self.slot_wait += u64::from(slot_wait);
+        self.hidden += u64::from(hidden);
     }
 }
 
@@ -56,6 +60,8 @@ pub struct SplatCounters {
     pub buffer: Traffic,
     /// Words that passed between core and the memory of payloads.
     pub payloads: Traffic,
+    /// Depths that passed between core and the memory that fragments are tested against.
+    pub depths: Traffic,
 }
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
@@ -76,6 +82,7 @@ pub struct SplatHost<'a> {
     ended: Vec<usize>,
     buffer: ReconstructionBuffer,
     payloads: PayloadMemory,
+    depths: DepthMemory,
     /// Fragments as they came; end fragments are not among them.
     pub fragments: Vec<Fragment>,
     /// Counts so far.
@@ -84,7 +91,7 @@ pub struct SplatHost<'a> {
 
 impl<'a> SplatHost<'a> {
     /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
-    /// back, `memory` how reconstruction buffer and payloads answer, each from a memory of its own.
+    /// back, `memory` how reconstruction buffer, payloads and depths answer, each from a memory of its own.
     #[must_use]
     pub fn new(
         config: &'a Config,
@@ -106,6 +113,7 @@ impl<'a> SplatHost<'a> {
             ended: vec![0; config.memory_ports as usize],
             buffer: ReconstructionBuffer::new(config, memory),
             payloads: PayloadMemory::new(config, memory),
+            depths: DepthMemory::new(config, memory, frame.depths.as_ref()),
             fragments: Vec::new(),
             counters: SplatCounters::default(),
         }
@@ -134,6 +142,7 @@ impl<'a> SplatHost<'a> {
             self.counters.cycles = cycle - first_splat_cycle;
             self.counters.buffer = self.buffer.traffic();
             self.counters.payloads = self.payloads.traffic();
+            self.counters.depths = self.depths.traffic();
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {
@@ -141,6 +150,7 @@ impl<'a> SplatHost<'a> {
         }
         self.buffer.advance(cycle);
         self.payloads.advance(cycle);
+        self.depths.advance(cycle);
         let uniform = self.uniforms.get(cycle as usize);
         self.inputs.uniform = uniform.map(|&data| UniformWrite { address: cycle as u8, data: data as u32 });
         if cycle >= first_splat_cycle {
@@ -154,6 +164,10 @@ impl<'a> SplatHost<'a> {
         for port in 0..self.payloads.ports() {
             self.inputs.payload_read_ready[port] = !self.stalls.stalled();
             self.inputs.payload_write_ready[port] = !self.stalls.stalled() && self.payloads.is_writable(cycle);
+        }
+        for port in 0..self.depths.ports() {
+            self.inputs.depth_read_ready[port] = !self.stalls.stalled();
+            self.inputs.depth_write_ready[port] = !self.stalls.stalled() && self.depths.is_writable(cycle);
         }
         Flow::Continue
     }
@@ -191,6 +205,17 @@ impl<'a> SplatHost<'a> {
                 self.payloads.write(port, &write, cycle - 1);
             }
         }
+        for port in 0..self.depths.ports() {
+            if let Some(read) = outputs.depth_read[port].filter(|_| self.inputs.depth_read_ready[port]) {
+                self.depths.request(port, read, cycle);
+            }
+            if self.inputs.depth_data[port].is_some() && outputs.depth_data_ready[port] {
+                self.depths.take(port);
+            }
+            if let Some(write) = outputs.depth_write[port].filter(|_| self.inputs.depth_write_ready[port]) {
+                self.depths.write(port, &write, cycle - 1);
+            }
+        }
         self.ended.iter().all(|ended| *ended == self.frames)
     }
 
@@ -208,6 +233,11 @@ impl<'a> SplatHost<'a> {
         for port in 0..self.payloads.ports() {
             if self.inputs.payload_data[port].is_none() || outputs.payload_data_ready[port] {
                 self.inputs.payload_data[port] = self.payloads.offer(port, cycle).filter(|_| !self.stalls.stalled());
+            }
+        }
+        for port in 0..self.depths.ports() {
+            if self.inputs.depth_data[port].is_none() || outputs.depth_data_ready[port] {
+                self.inputs.depth_data[port] = self.depths.offer(port, cycle).filter(|_| !self.stalls.stalled());
             }
         }
     }

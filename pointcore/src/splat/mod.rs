@@ -2,6 +2,7 @@
 
 pub mod activity;
 mod bound;
+pub mod depth_memory;
 mod differences;
 mod encode;
 mod fates;

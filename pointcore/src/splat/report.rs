@@ -1,6 +1,7 @@
 //! What a run says: figures with their definitions, as JSON and as a page to read.
 
 use super::bound::{FrameBound, bounds, sample_interval};
+use super::depth_memory::DEPTH_BYTES;
 use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
@@ -35,7 +36,7 @@ pub struct SplatReport {
     /// Cycles from the first splat to the end of the frame.
     pub cycles: u64,
     /// Cycles that every resource would take for the frame if it never waited.
-    pub bounds: [FrameBound; 7],
+    pub bounds: [FrameBound; 8],
     /// The one that takes most: no frame ends sooner.
     pub bound: FrameBound,
     /// The bound's share of the cycles.
@@ -84,7 +85,15 @@ pub struct SplatReport {
     pub payload_write_bytes: u64,
     /// Bytes that the memory moved for both, whole bursts.
     pub payload_moved_bytes: u64,
-    /// How the memory that holds the reconstruction buffer answers, and that of payloads.
+    /// Fragments that something nearer in memory hid; none without `merge`, and in what follows.
+    pub hidden: u64,
+    /// Bytes of depths read from memory.
+    pub depth_read_bytes: u64,
+    /// Bytes of depths written to memory.
+    pub depth_write_bytes: u64,
+    /// Bytes that the memory moved for both, whole bursts.
+    pub depth_moved_bytes: u64,
+    /// How the memory that holds the reconstruction buffer answers, and those of payloads and of depths.
     pub memory: MemorySettings,
     /// Fragments of the frame.
     pub fragments: u64,
@@ -178,8 +187,9 @@ impl SplatReport {
     #[must_use]
     pub fn new(run: &SplatRun) -> Self {
         let SplatOutcome { ref counters, simulated_cycles, elapsed, .. } = *run.outcome;
-        let SplatCounters { cycles, events, buffer, payloads } = *counters;
-        let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
+        let SplatCounters { cycles, events, buffer, payloads, depths } = *counters;
+        let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait, hidden } =
+            events;
         let ratio = |count: u64, each: u64| count as f64 / each.max(1) as f64;
         let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
@@ -226,6 +236,10 @@ impl SplatReport {
             payload_read_bytes: payloads.read * word_bytes,
             payload_write_bytes: payloads.written * word_bytes,
             payload_moved_bytes: payloads.bytes,
+            hidden,
+            depth_read_bytes: depths.read * u64::from(DEPTH_BYTES),
+            depth_write_bytes: depths.written * u64::from(DEPTH_BYTES),
+            depth_moved_bytes: depths.bytes,
             memory: run.memory,
             fragments,
             psnr_db: (!run.drawn.is_blank()).then_some(run.psnr_db),
@@ -280,6 +294,11 @@ impl SplatReport {
             rows.push(("payloads read from memory", format!("{} bytes", self.payload_read_bytes)));
             rows.push(("payloads written to memory", format!("{} bytes", self.payload_write_bytes)));
         }
+        if self.depth_moved_bytes > 0 {
+            rows.push(("fragments behind what was in memory", self.hidden.to_string()));
+            rows.push(("depths read from memory", format!("{} bytes", self.depth_read_bytes)));
+            rows.push(("depths written to memory", format!("{} bytes", self.depth_write_bytes)));
+        }
         rows.push(("PSNR against the f64 reference", psnr));
         if let Some(differences) = &self.differences {
             rows.extend(differences.rows());
@@ -298,7 +317,7 @@ impl SplatReport {
         let bursts = match burst_bytes {
             1 => String::new(),
             bytes => {
-                let moved = self.buffer_moved_bytes + self.payload_moved_bytes;
+                let moved = self.buffer_moved_bytes + self.payload_moved_bytes + self.depth_moved_bytes;
                 format!(", in bursts of {bytes} bytes: {moved} bytes moved")
             }
         };

@@ -5,6 +5,7 @@ use super::frames::{Frame, HardCases, Lens, frames};
 use super::pace::Paces;
 use super::surroundings::{Idle, Pending, Surroundings, Watch, resets};
 use crate::memory::MemorySettings;
+use crate::splat::depth_memory::{DepthMemory, Depths};
 use crate::splat::memory::ReconstructionBuffer;
 use crate::splat::payload_memory::PayloadMemory;
 use fastrand::Rng;
@@ -16,7 +17,7 @@ use pointcore_tb::lockstep::{Flow, Stimulus};
 use std::sync::Arc;
 
 /// Streams that can be held back, and their places among the paces: those that there are once, then those of each port to the
-/// reconstruction buffer, and of each port to payloads.
+/// reconstruction buffer, of each port to payloads, and of each to depths.
 const SPLAT: usize = 0;
 const UNIFORM: usize = 1;
 /// The place of pixels from memory, at the first port.
@@ -30,10 +31,17 @@ const FRAGMENT: usize = 5;
 const OF_PORT: usize = 4;
 /// Streams of a port to payloads: words from there, reads, words to there.
 const OF_PAYLOADS: usize = 3;
+/// Streams of a port to depths, likewise.
+const OF_DEPTHS: usize = 3;
 
 /// How many streams can be held back.
 #[must_use]
 pub fn streams(config: &Config) -> usize {
+    depth_streams(config) + OF_DEPTHS * config.merge_ports() as usize
+}
+
+/// The place of the first stream of depths.
+fn depth_streams(config: &Config) -> usize {
     payload_streams(config) + OF_PAYLOADS * config.payload_ports() as usize
 }
 
@@ -68,6 +76,7 @@ pub struct Renderer {
     resets: Vec<u64>,
     buffer: ReconstructionBuffer,
     payloads: PayloadMemory,
+    depths: DepthMemory,
     inputs: In,
     /// The frame that is being sent, and how many of its records have been.
     sending: usize,
@@ -102,10 +111,20 @@ impl Script {
     }
 }
 
-/// An empty buffer and an empty memory of payloads, which answer after a latency.
-fn memories(config: &Config, latency_cycles: u64) -> (ReconstructionBuffer, PayloadMemory) {
+/// An empty buffer, an empty memory of payloads, and depths of all kinds, which answer after a latency.
+fn memories(config: &Config, latency_cycles: u64) -> (ReconstructionBuffer, PayloadMemory, DepthMemory) {
     let settings = MemorySettings { latency_cycles, ..ReconstructionBuffer::SETTINGS };
-    (ReconstructionBuffer::new(config, settings), PayloadMemory::new(config, settings))
+    // Spread evenly: the multiples of the golden section.
+    let depth = |column: u32, row: u32| {
+        let spread = (row * config.width + column).wrapping_mul(0x9e37_79b9);
+        Some(spread as f32 / u32::MAX as f32)
+    };
+    let depths = config.merge.is_on().then(|| Depths::new(config, depth));
+    (
+        ReconstructionBuffer::new(config, settings),
+        PayloadMemory::new(config, settings),
+        DepthMemory::new(config, settings, depths.as_ref()),
+    )
 }
 
 impl Renderer {
@@ -114,7 +133,7 @@ impl Renderer {
     #[must_use]
     pub fn new(config: &Config, script: Script, idle: Option<Idle>, quiet_cycles: u64) -> Self {
         let Script { frames, paces, latency, resets } = script;
-        let (buffer, payloads) = memories(config, latency);
+        let (buffer, payloads, depths) = memories(config, latency);
         Self {
             config: config.clone(),
             frames: frames.into(),
@@ -125,6 +144,7 @@ impl Renderer {
             resets,
             buffer,
             payloads,
+            depths,
             inputs: In::default(),
             sending: 0,
             sent: 0,
@@ -135,7 +155,7 @@ impl Renderer {
 
     /// Begins again with the first frame that has not ended, on a core that has forgotten everything.
     fn restart(&mut self) {
-        (self.buffer, self.payloads) = memories(&self.config, self.latency);
+        (self.buffer, self.payloads, self.depths) = memories(&self.config, self.latency);
         let ended = self.ended();
         self.ended.fill(ended);
         (self.sending, self.sent, self.written) = (ended, 0, 0);
@@ -162,7 +182,8 @@ impl Renderer {
         let uniform = self.inputs.uniform.is_some();
         let ports = (0..self.ended.len()).filter(|port| self.account_port(*port, cycle, outputs)).count();
         let payloads = (0..self.payloads.ports()).filter(|port| self.account_payloads(*port, cycle, outputs)).count();
-        if splat || uniform || ports + payloads > 0 {
+        let depths = (0..self.depths.ports()).filter(|port| self.account_depths(*port, cycle, outputs)).count();
+        if splat || uniform || ports + payloads + depths > 0 {
             self.watch.moved(cycle);
         }
     }
@@ -205,10 +226,29 @@ impl Renderer {
         data || read.is_some() || word.is_some()
     }
 
+    /// The same at a port to depths.
+    fn account_depths(&mut self, port: usize, cycle: u64, outputs: &Out) -> bool {
+        let inputs = &self.inputs;
+        let read = outputs.depth_read[port].filter(|_| inputs.depth_read_ready[port]);
+        let data = inputs.depth_data[port].is_some() && outputs.depth_data_ready[port];
+        let depth = outputs.depth_write[port].filter(|_| inputs.depth_write_ready[port]);
+        if let Some(read) = read {
+            self.depths.request(port, read, cycle);
+        }
+        if data {
+            self.depths.take(port);
+        }
+        if let Some(depth) = &depth {
+            self.depths.write(port, depth, cycle);
+        }
+        data || read.is_some() || depth.is_some()
+    }
+
     /// Sets what is offered and what is taken; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         self.buffer.advance(cycle);
         self.payloads.advance(cycle);
+        self.depths.advance(cycle);
         let idle: Vec<bool> = (0..streams(&self.config)).map(|stream| self.paces.idle(stream, cycle)).collect();
         let frame = self.frames.get(self.sending);
         let uniforms = frame.map_or(&[][..], |frame| &frame.uniforms);
@@ -231,12 +271,20 @@ impl Renderer {
             self.inputs.write_ready[port] = !is_idle(WRITE);
             self.inputs.fragment_ready[port] = !is_idle(FRAGMENT);
         }
-        for (port, idle) in idle[payload_streams(&self.config)..].chunks(OF_PAYLOADS).enumerate() {
+        let [payloads, depths] = [payload_streams(&self.config), depth_streams(&self.config)];
+        for (port, idle) in idle[payloads..depths].chunks(OF_PAYLOADS).enumerate() {
             if self.inputs.payload_data[port].is_none() || outputs.payload_data_ready[port] {
                 self.inputs.payload_data[port] = self.payloads.offer(port, cycle).filter(|_| !idle[0]);
             }
             self.inputs.payload_read_ready[port] = !idle[1];
             self.inputs.payload_write_ready[port] = !idle[2];
+        }
+        for (port, idle) in idle[depths..].chunks(OF_DEPTHS).enumerate() {
+            if self.inputs.depth_data[port].is_none() || outputs.depth_data_ready[port] {
+                self.inputs.depth_data[port] = self.depths.offer(port, cycle).filter(|_| !idle[0]);
+            }
+            self.inputs.depth_read_ready[port] = !idle[1];
+            self.inputs.depth_write_ready[port] = !idle[2];
         }
     }
 }

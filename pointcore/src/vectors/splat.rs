@@ -1,6 +1,7 @@
 //! A frame for `splat_axi`.
 
 use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
+use crate::splat::depth_memory::{DEPTH_BYTES, Depths};
 use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::axi::ReadMaster;
@@ -22,6 +23,8 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
     let buffer_base = space.take("a reconstruction buffer", bytes)?;
     let payloads = if config.has_payloads_in_memory() { Some(payloads(config, &mut space)?) } else { None };
     let payload_base = payloads.as_ref().map(|regions| ("payload_base", regions[0].base));
+    let depths = if config.merge.is_on() { Some(depths(config, frame, &mut space)?) } else { None };
+    let depth_base = depths.as_ref().map(|regions| ("depth_base", regions[0].base));
     let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
 
     let splats = frame.records.iter().map(|splat| words(config, *splat));
@@ -36,12 +39,12 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
         memory_bits: config.bus.memory_bits,
         registers: writes(
             &SplatRegisters::registers(config),
-            [("buffer_base", buffer_base)].into_iter().chain(payload_base).chain(uniforms),
+            [("buffer_base", buffer_base)].into_iter().chain(payload_base).chain(depth_base).chain(uniforms),
         ),
         send: Packets::new("splat", &fields::<Splat>(config), &config.bus, splats),
         receive: Packets::new("fragment", &fields::<Fragment>(config), &config.bus, fragments),
         memory: std::iter::once(empty("pixel", "m_axi", buffer_base, bytes, stride))
-            .chain(payloads.into_iter().flatten())
+            .chain([payloads, depths].into_iter().flatten().flatten())
             .collect(),
     })
 }
@@ -62,4 +65,17 @@ fn payloads(config: &Config, space: &mut AddressSpace) -> Result<Vec<Region>, Ve
         empty("payload", port.address.bus, base + number * bytes as u32, bytes, stride)
     };
     Ok((0..).zip(ports).map(region).collect())
+}
+
+/// The depths that fragments are tested against, behind each of their ports.
+fn depths(config: &Config, frame: &EncodedFrame, space: &mut AddressSpace) -> Result<Vec<Region>, VectorsError> {
+    let depths = frame.depths.clone().unwrap_or_else(|| Depths::new(config, |_, _| None));
+    let contents: Vec<u8> = depths.bits().iter().flat_map(|bits| bits.to_le_bytes()).collect();
+    let bytes = contents.len() as u64;
+    let base = space.take("depths", bytes)?;
+    let region = |port: &ReadMaster| {
+        let (file, contents) = (Some("depth.bin".to_owned()), Some(contents.clone()));
+        Region { name: "depth", port: port.address.bus, base, bytes, stride: DEPTH_BYTES, file, contents }
+    };
+    Ok(Ports::ALL.depth_reads.iter().take(config.merge_ports() as usize).map(region).collect())
 }

@@ -1,8 +1,8 @@
 //! A host with memory around a core on AXI: registers, packets, bursts, all of them stalling.
 
 use std::collections::VecDeque;
-use std::iter::once;
 
+use pointcore::splat::depth_memory::DEPTH_BYTES;
 use pointcore_contract::bus::axi::{
     BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, SlaveBits, WriteBeat, WriteMaster,
 };
@@ -12,7 +12,7 @@ use pointcore_contract::bus::registers::{CONTROL, ERRORS, RegisterMap, STATUS, S
 use pointcore_contract::bus::units::splat_axi;
 use pointcore_contract::bus::{Config, Layout, Register};
 use pointcore_contract::splat;
-use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS};
 use pointcore_contract::splat::records::{Pixel, payload_bytes};
 use pointcore_contract::{self as contract, Words, read};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
@@ -30,17 +30,19 @@ const ABORT: u32 = 8;
 struct Reads {
     address: Drain,
     data: Feed,
+    beat_bytes: usize,
 }
 
 impl Reads {
-    fn new(bench: &Bench, bus: ReadMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
+    fn new(bench: &Bench, (bus, bits): (ReadMaster, u32), random: &mut fastrand::Rng) -> Self {
         let address = Drain::new(bench, bus.address, &ADDRESS_BITS, stalls(random));
         let pattern = stalls(random);
-        let data = Feed::new(bench, bus.data, &widths.memory_bits, random, pattern);
-        Self { address, data }
+        let data = Feed::new(bench, bus.data, &bits, random, pattern);
+        Self { address, data, beat_bytes: bits as usize / 8 }
     }
 
-    fn step(&mut self, bench: &Bench, memory: &[u8], beat_bytes: usize) {
+    fn step(&mut self, bench: &Bench, memory: &[u8]) {
+        let beat_bytes = self.beat_bytes;
         self.data.taken(bench);
         let Some(burst) = self.address.taken(bench) else { return };
         let BurstAddress { id, address, length, .. } = read(&ADDRESS_BITS, &burst);
@@ -63,25 +65,26 @@ struct Writes {
     bursts: VecDeque<usize>,
     packets: VecDeque<Vec<u8>>,
     gathered: Vec<u8>,
+    beat_bytes: usize,
 }
 
 impl Writes {
-    fn new(bench: &Bench, bus: WriteMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
+    fn new(bench: &Bench, (bus, bits): (WriteMaster, u32), random: &mut fastrand::Rng) -> Self {
         let address = Drain::new(bench, bus.address, &ADDRESS_BITS, stalls(random));
-        let data = Drain::new(bench, bus.data, &widths.memory_bits, stalls(random));
+        let data = Drain::new(bench, bus.data, &bits, stalls(random));
         let pattern = stalls(random);
         let answer = Feed::new(bench, bus.answer, &(), random, pattern);
         let (bursts, packets, gathered) = (VecDeque::new(), VecDeque::new(), vec![]);
-        Self { address, data, answer, bursts, packets, gathered }
+        Self { address, data, answer, bursts, packets, gathered, beat_bytes: bits as usize / 8 }
     }
 
-    fn step(&mut self, bench: &Bench, memory: &mut [u8], beat_bytes: usize) {
+    fn step(&mut self, bench: &Bench, memory: &mut [u8]) {
         self.answer.taken(bench);
         self.bursts.extend(
             self.address.taken(bench).map(|burst| read::<BurstAddress>(&ADDRESS_BITS, &burst).address as usize),
         );
         if let Some(beat) = self.data.taken(bench) {
-            self.gathered.extend(bytes(&beat, beat_bytes));
+            self.gathered.extend(bytes(&beat, self.beat_bytes));
             if beat[beat.len() - 1] == 1 {
                 self.packets.push_back(std::mem::take(&mut self.gathered));
             }
@@ -132,10 +135,10 @@ pub struct Around {
     pub registers: RegisterBus,
     /// Its streams of packets.
     pub packets: (PacketBusIn, PacketBusOut),
-    /// Its memory ports that read.
-    pub reads: Vec<ReadMaster>,
-    /// Its memory ports that write.
-    pub writes: Vec<WriteMaster>,
+    /// Its memory ports that read, and bits of their beats.
+    pub reads: Vec<(ReadMaster, u32)>,
+    /// Its memory ports that write, likewise.
+    pub writes: Vec<(WriteMaster, u32)>,
     /// Its window for the tree, and how wide that is.
     pub window: Option<(Slave, SlaveBits)>,
     /// Bytes of memory.
@@ -144,24 +147,62 @@ pub struct Around {
     pub memory_order: MemoryOrder,
 }
 
-/// What the renderer has around it, its buffer at an address, and where its payloads lie behind that.
-pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: MemoryOrder) -> (Around, u32) {
+/// Where the renderer's records lie, besides the reconstruction buffer.
+#[derive(Clone, Copy)]
+pub struct Bases {
+    /// Its payloads.
+    pub payloads: u32,
+    /// The depths that its fragments are tested against.
+    pub depths: u32,
+}
+
+/// What the renderer has around it, its buffer at an address, and where all else lies behind that.
+pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: MemoryOrder) -> (Around, Bases) {
     const TOP: splat_axi::Ports = splat_axi::Ports::ALL;
     let bits = config.bus.memory_bits;
     let tile_bytes = TILE_PIXELS * Layout::record::<Pixel>(config).stride(bits);
     let payload_base = (buffer_base + config.buffer_tiles() as u32 * tile_bytes).next_multiple_of(BORDER_BYTES);
-    let ports = config.payload_ports();
+    let payload_bytes = config.payload_ports() * payload_bytes(config, bits);
+    let depth_base = (payload_base + payload_bytes).next_multiple_of(BORDER_BYTES);
+    let depth_bytes = (TILE_PIXELS * DEPTH_BYTES) << config.tile_bits();
+    let [payloads, depths] = [config.payload_ports(), config.merge_ports()].map(|ports| ports as usize);
+    let reads = |buses: &[ReadMaster], bits: u32| buses.iter().map(|&bus| (bus, bits)).collect::<Vec<_>>();
+    let writes = |buses: &[WriteMaster], bits: u32| buses.iter().map(|&bus| (bus, bits)).collect::<Vec<_>>();
     let around = Around {
         map: SplatRegisters::registers(config),
         registers: TOP.registers,
         packets: (TOP.splats, TOP.fragments),
-        reads: once(TOP.reads).chain(TOP.payload_reads.into_iter().take(ports as usize)).collect(),
-        writes: once(TOP.writes).chain(TOP.payload_writes.into_iter().take(ports as usize)).collect(),
+        reads: [
+            reads(&[TOP.reads], bits),
+            reads(&TOP.payload_reads[..payloads], bits),
+            reads(&TOP.depth_reads[..depths], MERGED_DEPTH_BITS),
+        ]
+        .concat(),
+        writes: [
+            writes(&[TOP.writes], bits),
+            writes(&TOP.payload_writes[..payloads], bits),
+            writes(&TOP.depth_writes[..depths], MERGED_DEPTH_BITS),
+        ]
+        .concat(),
         window: None,
-        memory: (payload_base + ports * payload_bytes(config, bits)) as usize,
+        memory: (depth_base + depth_bytes) as usize,
         memory_order,
     };
-    (around, payload_base)
+    (around, Bases { payloads: payload_base, depths: depth_base })
+}
+
+/// Tells the renderer where all but its buffer lies.
+pub fn place<I: Packet<Domain = Words, Config = splat::Config>, O: Packet<Domain = Words, Config = splat::Config>>(
+    host: &mut Host<I, O>,
+    config: &splat::Config,
+    bases: Bases,
+) {
+    if config.has_payloads_in_memory() {
+        host.write("payload_base", bases.payloads);
+    }
+    if config.merge.is_on() {
+        host.write("depth_base", bases.depths);
+    }
 }
 
 /// What a memory does first.
@@ -196,8 +237,8 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
                 Drain::new(&bench, window.write_answer, &(), stalls(random)),
             )
         });
-        let reads = around.reads.into_iter().map(|bus| Reads::new(&bench, bus, widths, random)).collect();
-        let writes = around.writes.into_iter().map(|bus| Writes::new(&bench, bus, widths, random)).collect();
+        let reads = around.reads.into_iter().map(|bus| Reads::new(&bench, bus, random)).collect();
+        let writes = around.writes.into_iter().map(|bus| Writes::new(&bench, bus, random)).collect();
         Self {
             widths,
             map: around.map,
@@ -224,7 +265,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         let Self { reads, writes, window, memory_order, .. } = self;
         let mut feeds = vec![&mut register_write.0, &mut register_write.1, &mut register_read.0, packets_in];
         let mut drains = vec![&mut register_write.2, &mut register_read.1, packets_out];
-        for Reads { address, data } in reads.iter_mut() {
+        for Reads { address, data, .. } in reads.iter_mut() {
             drains.push(address);
             feeds.push(data);
         }
@@ -249,7 +290,6 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             packets_out.wait(bench);
         }
         bench.step();
-        let beat_bytes = self.widths.memory_bits as usize / 8;
         [&mut self.register_write.0, &mut self.register_write.1, &mut self.register_read.0, &mut self.packets_in]
             .into_iter()
             .for_each(|feed| _ = feed.taken(&self.bench));
@@ -262,9 +302,9 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
                 None => {}
             }
         }
-        self.reads.iter_mut().for_each(|reads| reads.step(&self.bench, &self.memory, beat_bytes));
+        self.reads.iter_mut().for_each(|reads| reads.step(&self.bench, &self.memory));
         for writes in &mut self.writes {
-            writes.step(&self.bench, &mut self.memory, beat_bytes);
+            writes.step(&self.bench, &mut self.memory);
         }
     }
 

@@ -189,6 +189,10 @@ pub struct SplatSettings {
     #[when(config.has_payloads_in_memory())]
     #[bits(REGISTER_BITS)]
     pub payload_base: u32,
+    /// Address of the depths that fragments are tested against.
+    #[when(config.merge.is_on())]
+    #[bits(REGISTER_BITS)]
+    pub depth_base: u32,
 }
 
 impl RegisterMap for SplatRegisters {
@@ -202,7 +206,11 @@ impl RegisterMap for SplatRegisters {
         let mut map = common(identity(SPLAT), Self::STARTS, &fields::<Self::Events>(config));
         map.extend(settings::<SplatSettings>(
             config,
-            SplatSettings { buffer_base: MapEntry::base(0), payload_base: MapEntry::base(4) },
+            SplatSettings {
+                buffer_base: MapEntry::base(0),
+                payload_base: MapEntry::base(0x4),
+                depth_base: MapEntry::base(0x8),
+            },
         ));
         let width = config.geometry.width();
         let uniforms = fields::<Uniforms>(config).into_iter().zip(uniform_formats(config));

@@ -5,6 +5,7 @@
 //! unsigned integers. A record with `end` set closes the frame and carries nothing else.
 
 mod copy;
+mod depth;
 mod footprint;
 mod motion;
 mod payload;
@@ -17,6 +18,7 @@ pub use copy::{
     ArrivedCopy, CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, TileCopy,
     TileDiagonals, TileRectangle,
 };
+pub use depth::{Depth, DepthRun, StoredDepth, depth_place};
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
 pub use motion::{Bin, Motion, Moving, MovingFootprint, MovingPlace, MovingSample, SPAN, Seen, Shutter};
 pub use payload::{

@@ -67,4 +67,9 @@ pub struct Events {
     #[name("event_slot_wait")]
     #[bits(config.rasterizer_bits() + 1)]
     pub slot_wait: u8,
+    /// Fragments that something nearer in memory hides.
+    #[when(config.merge.is_on())]
+    #[name("event_hidden")]
+    #[bits(config.port_count_bits())]
+    pub hidden: u8,
 }

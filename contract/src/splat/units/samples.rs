@@ -4,8 +4,8 @@ use super::events::{AccumulatorEvents, RasterizerEvents};
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, SLOT_BANKS, WEIGHT_SUM_BITS};
 use crate::splat::records::{
-    CompleteCopy, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Shutter, Slot, SlotChange, SlotMasks, SlotPixel,
-    WeightedSample,
+    CompleteCopy, Depth, DepthRun, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Shutter, Slot, SlotChange,
+    SlotMasks, SlotPixel, StoredDepth, WeightedSample,
 };
 use crate::unit;
 
@@ -106,4 +106,24 @@ pub struct Normalizer {
     #[when(config.has_motion())]
     #[port("")]
     shutter: Input<Shutter>,
+}
+
+/// Tests fragments against depths in memory, and leaves out those that are not nearer (thesis 5.4.6).
+#[unit(splat_merge, config: Config)]
+#[when(config.merge.is_on())]
+pub struct Merge {
+    /// Fragments.
+    #[port("in")]
+    input: In<Fragment>,
+    /// Those that are nearer than what was there.
+    out: Out<Fragment>,
+    /// Depths wanted.
+    depth_read: Out<DepthRun>,
+    /// They, in order.
+    depth_data: In<Depth>,
+    /// Depths of the fragments that leave.
+    depth_write: Out<StoredDepth>,
+    /// Something nearer hid a fragment in the last cycle.
+    #[port("event_hidden")]
+    hidden: Output<bool>,
 }

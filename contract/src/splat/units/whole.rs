@@ -3,7 +3,8 @@
 use super::events::Events;
 use crate::splat::Config;
 use crate::splat::records::{
-    Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, Splat, StoredPixel, StoredWord, UniformWrite,
+    Depth, DepthRun, Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, Splat, StoredDepth, StoredPixel, StoredWord,
+    UniformWrite,
 };
 use crate::unit;
 
@@ -38,6 +39,15 @@ pub struct Top {
     /// Words of payloads that are kept.
     #[count(config.payload_ports())]
     payload_write: [Out<StoredWord>; 8],
+    /// Depths in memory that fragments are tested against: one port for each of `fragment`.
+    #[count(config.merge_ports())]
+    depth_read: [Out<DepthRun>; 4],
+    /// They, in order.
+    #[count(config.merge_ports())]
+    depth_data: [In<Depth>; 4],
+    /// Depths of fragments that were nearer.
+    #[count(config.merge_ports())]
+    depth_write: [Out<StoredDepth>; 4],
     /// What happened in the last cycle.
     #[port("")]
     events: Output<Events>,

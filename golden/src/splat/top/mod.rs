@@ -6,8 +6,8 @@ pub mod lanes;
 
 use super::uniforms::write_uniform;
 use super::{
-    Latencies, MotionSetup, Normalizer, Setup, Splitter, Transform, lane, motion_setup, normalizer, setup, splitter,
-    transform,
+    Latencies, Merge, MotionSetup, Normalizer, Setup, Splitter, Transform, lane, merge, motion_setup, normalizer,
+    setup, splitter, transform,
 };
 use crate::unit::Model;
 use lanes::Lanes;
@@ -30,6 +30,8 @@ pub struct Shown {
     pub frame_sent: bool,
     /// The normalizers, one a port.
     pub normalizers: Vec<normalizer::Out>,
+    /// What tests fragments against depths in memory, one a port, if anything does.
+    pub merges: Vec<merge::Out>,
 }
 
 impl Shown {
@@ -101,6 +103,7 @@ pub struct Top {
     ended: Vec<bool>,
     frame_sent: bool,
     normalizers: Vec<Normalizer>,
+    merges: Vec<Merge>,
 }
 
 impl Top {
@@ -118,6 +121,7 @@ impl Top {
             ended: vec![false; config.memory_ports as usize],
             frame_sent: false,
             normalizers: vec![Normalizer::new(config, latencies.normalizer); config.memory_ports as usize],
+            merges: vec![Merge::new(config); config.merge_ports() as usize],
         }
     }
 
@@ -131,6 +135,7 @@ impl Top {
             lanes: self.lanes.shown(),
             frame_sent: self.frame_sent,
             normalizers: self.normalizers.iter().map(Model::outputs).collect(),
+            merges: self.merges.iter().map(Model::outputs).collect(),
         }
     }
 
@@ -160,8 +165,17 @@ impl Top {
             self.ended[port] |= pixel.is_some_and(|pixel| pixel.end) && shown.normalizers[port].in_ready;
             self.normalizers[port].clock(&normalizer::In {
                 input: pixel,
-                out_ready: inputs.fragment_ready[port],
+                out_ready: shown.merges.get(port).map_or(inputs.fragment_ready[port], |merge| merge.in_ready),
                 shutter: uniforms.shutter,
+            });
+        }
+        for (port, merge) in self.merges.iter_mut().enumerate() {
+            merge.clock(&merge::In {
+                input: shown.normalizers[port].out,
+                out_ready: inputs.fragment_ready[port],
+                depth_read_ready: inputs.depth_read_ready[port],
+                depth_data: inputs.depth_data[port],
+                depth_write_ready: inputs.depth_write_ready[port],
             });
         }
         self.frame_sent = self.ended.iter().all(|ended| *ended);
@@ -190,6 +204,12 @@ impl Model for Top {
         for (port, (at_port, normalizer)) in lanes.at_ports().zip(&self.normalizers).enumerate() {
             (out.read[port], out.data_ready[port]) = (at_port.read, at_port.data_ready);
             (out.write[port], out.fragment[port]) = (at_port.write, normalizer.outputs().out);
+        }
+        for (port, merge) in self.merges.iter().map(Model::outputs).enumerate() {
+            out.fragment[port] = merge.out;
+            (out.depth_read[port], out.depth_data_ready[port]) = (merge.depth_read, merge.depth_data_ready);
+            out.depth_write[port] = merge.depth_write;
+            out.events.hidden += u8::from(merge.hidden);
         }
         for (port, lane) in lanes.lanes.iter().enumerate().take(self.config.payload_ports() as usize) {
             let lane::Out { payload_read, payload_data_ready, payload_write, .. } = lane.ports();

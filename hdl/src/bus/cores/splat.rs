@@ -13,8 +13,9 @@ use pointcore_contract::splat::records::{Fragment, Pixel, PlacedPixel, Splat, St
 use pointcore_contract::splat::units::top::{PORTS, Ports as CorePorts};
 
 use super::buffer::{Buffer, Placed, Run};
-use super::payloads::{self, PortSignals};
+use super::port::PortSignals;
 use super::wiring::{Abort, report};
+use super::{depths, payloads};
 use crate::bus::{Top, frames, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::arbiter::{self, Client};
@@ -31,7 +32,7 @@ use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
 
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
 fn error_sources(config: &Config) -> ErrorSources {
-    let memories = 1 + config.payload_ports();
+    let memories = 1 + config.payload_ports() + config.merge_ports();
     ErrorSources { busy: 0, burst: memories, packet: 1, memory: 2 * memories }
 }
 
@@ -89,7 +90,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let set_up = PORTS.frame_set_up.word_of(&mut m, core);
     FRAMES.set_up.feed_word(&mut m, frames, set_up);
 
-    let SplatSettings { buffer_base: base, payload_base } = CONTROL.settings.of(&mut m, config, control);
+    let SplatSettings { buffer_base: base, payload_base, depth_base } = CONTROL.settings.of(&mut m, config, control);
     let (run_pixels, memory_bits) = (RUN_PIXELS_MAX, bus.memory_bits);
     let buffer = Buffer::<Pixel> { name: "", config, run_pixels, memory_bits, base, reads, writes };
     let write = memory.write.of(&mut m, config, memory.instance);
@@ -99,7 +100,8 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     });
     let (read, all_came) = read_pixels(&mut m, config, memory, reads, abort);
     buffer.order(&mut m, read, write);
-    let payloads = payloads::connect(&mut m, config, core, payload_base, abort);
+    let mut others = payloads::connect(&mut m, config, core, payload_base, abort);
+    others.extend(depths::connect(&mut m, config, core, depth_base, abort));
 
     // The run ends when the last packet of its frames has left and memory has answered.
     let fragment = fragment.1.of(&mut m, config, fragment.0);
@@ -107,8 +109,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     FRAMES.sent.feed_word(&mut m, frames, fragment.transfer() & fragment.record.end);
     let no_frame = FRAMES.idle.word_of(&mut m, frames);
     let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
-    let all =
-        |begun: Expr, more: fn(&PortSignals) -> Expr| payloads.iter().map(more).fold(begun, |all, more| all & more);
+    let all = |begun: Expr, more: fn(&PortSignals) -> Expr| others.iter().map(more).fold(begun, |all, more| all & more);
     let idle = m.wire("is_idle", all(idle[0] & idle[1], |port| port.written));
     let quiet = m.wire("quiet", all(idle & all_came, |port| port.all_came));
     let finished = abort.finished(&mut m, (no_frame & !start) & idle, quiet);
@@ -118,9 +119,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let [read_error, write_error] = [READS.error.word_of(&mut m, reads), WRITES.error.word_of(&mut m, writes)];
     let misplaced = READS.misplaced.word_of(&mut m, reads);
     let errors = ErrorInputs {
-        burst_error: cat(payloads.iter().map(|port| port.misplaced).chain([misplaced])),
+        burst_error: cat(others.iter().map(|port| port.misplaced).chain([misplaced])),
         packet_error: SPLATS.refused.word_of(&mut m, splats),
-        memory_error: cat(payloads.iter().flat_map(|port| port.errors).chain([write_error, read_error])),
+        memory_error: cat(others.iter().flat_map(|port| port.errors).chain([write_error, read_error])),
         ..ErrorInputs::default()
     };
     CONTROL.errors.feed(&mut m, &sources, control, errors);

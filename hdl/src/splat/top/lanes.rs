@@ -122,7 +122,7 @@ impl Lanes {
         }
     }
 
-    /// In how many of them something happened in the last cycle.
+    /// In how many of them something happened in the last cycle; what else the core tells is left open.
     pub fn events(&self, m: &mut Module, config: &Config) -> Events<Wires> {
         let width = config.rasterizer_bits() + 1;
         let events: Vec<_> = self.lanes.iter().map(|&lane| lane::PORTS.events.of(m, config, lane)).collect();
@@ -139,11 +139,12 @@ impl Lanes {
             accumulate: accumulators(|events| events.accumulate),
             hazard: accumulators(|events| events.hazard),
             slot_wait: accumulators(|events| events.slot_wait),
+            hidden: Expr::default(),
         }
     }
 }
 
 /// How many of the bits are set.
-fn sum(width: u32, bits: impl Iterator<Item = Expr>) -> Expr {
+pub(super) fn sum(width: u32, bits: impl Iterator<Item = Expr>) -> Expr {
     bits.map(|bit| bit.zext(width)).reduce(|sum, bit| sum + bit).expect("there is a lane")
 }

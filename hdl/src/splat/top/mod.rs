@@ -4,11 +4,11 @@
 mod lanes;
 
 use super::arbiter::Client;
-use super::{motion_setup, normalizer, setup, splitter, transform};
+use super::{merge, motion_setup, normalizer, setup, splitter, transform};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{InputPorts, OutputPorts, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, held, pipe};
 use crate::units::wires::{Bundle, Wires};
-use lanes::{Lanes, Port};
+use lanes::{Lanes, Port, sum};
 use pointcore_contract::fields;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, Uniforms};
@@ -34,6 +34,8 @@ struct Instances {
     lanes: Lanes,
     /// One for each port to memory.
     normalizers: Vec<Instance>,
+    /// What tests their fragments, likewise, if anything does.
+    merges: Vec<Instance>,
 }
 
 /// Places the compiled units and collects their manifests.
@@ -54,6 +56,7 @@ fn place(
         splitter: m.instance("splitter", splitter::module(config)),
         lanes: Lanes::place(m, config, options)?,
         normalizers: normalizers(m, config, normalizer::datapath(config, options)?, &mut manifests),
+        merges: merges(m, config),
     };
     manifests.extend(instances.lanes.manifests.clone());
     Ok((instances, manifests))
@@ -70,6 +73,13 @@ fn normalizers(
     manifests.insert(NAME.to_owned(), datapath.manifest);
     let module = Rc::new(datapath.module);
     (0..config.memory_ports as usize).map(|port| m.instance(&numbered(NAME, port), module.clone())).collect()
+}
+
+/// What tests fragments against depths in memory, one for each port to memory.
+fn merges(m: &mut Module, config: &Config) -> Vec<Instance> {
+    let module = config.merge.is_on().then(|| Rc::new(merge::module(config)));
+    let place = |(port, module): (usize, Rc<Module>)| m.instance(&numbered("merge", port), module);
+    module.into_iter().cycle().take(config.memory_ports as usize).enumerate().map(place).collect()
 }
 
 /// The uniform registers, written by address.
@@ -147,14 +157,21 @@ fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
         let write = write.of(m, config, instance);
         port.export(m, config, write);
     }
-    let mut ends = vec![];
-    for (port, (&Port { pixel: (source, pixel), .. }, &normalizer)) in
-        PORTS.fragment.iter().zip(lanes.ports.iter().zip(&instances.normalizers))
-    {
+    let (mut ends, mut fragments) = (vec![], vec![]);
+    for (&Port { pixel: (source, pixel), .. }, &normalizer) in lanes.ports.iter().zip(&instances.normalizers) {
         let pixel = pixel.of(m, config, source);
         ends.push(pixel.transfer() & pixel.record.end);
         units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
-        let fragment = units::normalizer::PORTS.out.of(m, config, normalizer);
+        fragments.push((normalizer, units::normalizer::PORTS.out));
+    }
+    if config.merge.is_on() {
+        for (fragment, &merge) in fragments.iter_mut().zip(&instances.merges) {
+            pipe(m, config, *fragment, (merge, units::merge::PORTS.input));
+            *fragment = (merge, units::merge::PORTS.out);
+        }
+    }
+    for (port, (source, out)) in PORTS.fragment.iter().zip(fragments) {
+        let fragment = out.of(m, config, source);
         port.export(m, config, fragment);
     }
     if config.rasterizers > 1 {
@@ -177,6 +194,25 @@ fn payloads(m: &mut Module, config: &Config, lanes: &Lanes) {
         let write = lane::PORTS.payload_write.of(m, config, lane);
         port.export(m, config, write);
     }
+}
+
+/// Connects what tests fragments to depths in memory; returns how many fragments something hid in the last cycle.
+fn depths(m: &mut Module, config: &Config, merges: &[Instance]) -> Expr {
+    use units::merge::PORTS as TESTS;
+    for (port, &merge) in PORTS.depth_read.iter().zip(merges) {
+        let read = TESTS.depth_read.of(m, config, merge);
+        port.export(m, config, read);
+    }
+    for (port, &merge) in PORTS.depth_data.iter().zip(merges) {
+        let data = port.declare(m, config);
+        TESTS.depth_data.feed(m, config, merge, data);
+    }
+    for (port, &merge) in PORTS.depth_write.iter().zip(merges) {
+        let write = TESTS.depth_write.of(m, config, merge);
+        port.export(m, config, write);
+    }
+    let hidden: Vec<_> = merges.iter().map(|&merge| TESTS.hidden.word_of(m, merge)).collect();
+    sum(config.port_count_bits(), hidden.into_iter())
 }
 
 /// Tells the lanes once the end of a frame has left all ports, of which each says so in one cycle.
@@ -212,7 +248,10 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     chain(&mut m, config, &instances);
     pixels(&mut m, config, &instances);
     payloads(&mut m, config, &instances.lanes);
-    let events = instances.lanes.events(&mut m, config);
+    let mut events = instances.lanes.events(&mut m, config);
+    if config.merge.is_on() {
+        events.hidden = depths(&mut m, config, &instances.merges);
+    }
     PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })
 }

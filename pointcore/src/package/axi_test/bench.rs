@@ -15,12 +15,12 @@ const WINDOW: &str = include_str!("bench/window.sv");
 const IMAGES: &str = include_str!("bench/images.sv");
 const READ_MEMORY: &str = include_str!("bench/read_memory.sv");
 const BUFFER: &str = include_str!("bench/buffer.sv");
-const PAYLOAD: &str = include_str!("bench/payload.sv");
+const RECORD_MEMORY: &str = include_str!("bench/record_memory.sv");
 const SCRIPT: &str = include_str!("bench/script.sv");
 const WINDOW_OPERATIONS: &str = include_str!("bench/window_operations.sv");
 const WINDOW_POSTED: &str = include_str!("bench/window_posted.sv");
 const BUFFER_OPERATIONS: &str = include_str!("bench/buffer_operations.sv");
-const PAYLOAD_OPERATIONS: &str = include_str!("bench/payload_operations.sv");
+const RECORD_OPERATIONS: &str = include_str!("bench/record_operations.sv");
 
 /// The renderer's buffer.
 pub struct Buffer {
@@ -30,14 +30,81 @@ pub struct Buffer {
     pub pixel_beats: u32,
 }
 
-/// The renderer's payloads.
-pub struct Payloads {
-    /// What their ports are called, one a rasterizer.
+/// What a memory of records holds when it is placed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Placed {
+    /// Nothing: what was not written must not be read.
+    Nothing,
+    /// In each record a depth of [`depth_at`].
+    Depths,
+}
+
+/// The nearest of those depths; they end at 1.
+const NEAREST_HELD: f32 = 0.75;
+/// Multiples of it are spread evenly: the golden section.
+const SPREAD: u32 = 0x9e37_79b9;
+/// What is left of them are the bits between both ends.
+const SPREAD_SHIFT: u32 = 10;
+
+/// The depth in a record: all of them come, in no order.
+pub const fn depth_at(place: u32) -> u32 {
+    NEAREST_HELD.to_bits() + (place.wrapping_mul(SPREAD) >> SPREAD_SHIFT)
+}
+
+/// Records that the renderer reads and writes by ports of their own.
+pub struct RecordMemory {
+    /// What the records are called.
+    pub kind: &'static str,
+    /// What their ports are called.
     pub ports: Vec<&'static str>,
-    /// Words that one of them has room for.
-    pub words: u32,
-    /// Beats of a word.
-    pub word_beats: u32,
+    /// Whether each port has records of its own, one's behind the other's.
+    pub is_apart: bool,
+    /// Records that a port has.
+    pub records: u32,
+    /// Beats of a record.
+    pub record_beats: u32,
+    /// Bits of a beat.
+    pub beat_bits: u32,
+    /// What is there at first.
+    pub placed: Placed,
+    /// The operation of the script that places it.
+    pub operation: u8,
+}
+
+impl RecordMemory {
+    fn parameters(&self) -> String {
+        let Self { kind, records, record_beats, beat_bits, .. } = self;
+        let bytes = record_beats * beat_bits / 8;
+        format!(
+            "    localparam {kind}_RECORDS = {records}, {kind}_BEATS = {record_beats}, {kind}_BITS = {beat_bits}, {kind}_BYTES = {bytes};\n    \
+             localparam {kind}_IS_EMPTY = 1'b{};\n",
+            u8::from(self.placed == Placed::Nothing)
+        )
+    }
+
+    fn text(&self) -> String {
+        let unwritten = match self.placed {
+            Placed::Nothing => "0".to_owned(),
+            Placed::Depths => {
+                format!("32'h{:x} + ((NAME_read_held * 32'h{SPREAD:x}) >> {SPREAD_SHIFT})", NEAREST_HELD.to_bits())
+            }
+        };
+        let mut text = format!("\n    reg [31:0] {0}_base = 32'd0;\n    reg places_{0} = 1'b0;\n", self.kind);
+        for (number, port) in self.ports.iter().enumerate() {
+            let offset = if self.is_apart { number } else { 0 };
+            text += &RECORD_MEMORY
+                .replace("UNWRITTEN", &unwritten)
+                .replace("NAME", port)
+                .replace("OFFSET", &offset.to_string())
+                .replace("SEED_NUMBER", &number.to_string())
+                .replace("KIND", self.kind);
+        }
+        text
+    }
+
+    fn operations(&self) -> String {
+        RECORD_OPERATIONS.replace("OPERATION", &self.operation.to_string()).replace("KIND", self.kind)
+    }
 }
 
 /// A port by which the core reads.
@@ -81,8 +148,8 @@ pub struct Bench<'a> {
     pub has_window: bool,
     /// The buffer.
     pub buffer: Option<Buffer>,
-    /// The payloads, where they are in memory.
-    pub payloads: Option<Payloads>,
+    /// What else the renderer has in memory.
+    pub records: Vec<RecordMemory>,
 }
 
 /// What the bench calls what is at a port.
@@ -133,8 +200,8 @@ impl Bench<'_> {
         )
     }
 
-    fn payload_ports(&self) -> &[&'static str] {
-        self.payloads.as_ref().map_or(&[], |payloads| &payloads.ports)
+    fn record_ports(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.records.iter().flat_map(|memory| memory.ports.iter().copied())
     }
 
     /// Bits of each event: several rasterizers are counted.
@@ -159,8 +226,8 @@ impl Bench<'_> {
             errors += " + write_errors";
         }
         let mut stores = vec![];
-        for port in self.payload_ports() {
-            memories.push((*port).to_owned());
+        for port in self.record_ports() {
+            memories.push(port.to_owned());
             stores.push(format!("{port}_stores"));
             errors += &format!(" + {port}_write_errors");
         }
@@ -195,12 +262,7 @@ impl Bench<'_> {
         if let Some(Buffer { tiles, pixel_beats }) = &self.buffer {
             text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
         }
-        if let Some(Payloads { words, word_beats, .. }) = &self.payloads {
-            text += &format!(
-                "    localparam PAYLOAD_WORDS = {words}, WORD_BEATS = {word_beats}, WORD_BYTES = {};\n",
-                word_beats * bus.memory_bits / 8
-            );
-        }
+        text.extend(self.records.iter().map(RecordMemory::parameters));
         text
     }
 
@@ -241,12 +303,9 @@ impl Bench<'_> {
             text += BUFFER;
             operations += BUFFER_OPERATIONS;
         }
-        if self.payloads.is_some() {
-            text += "\n    reg [31:0] payload_base = 32'd0;\n    reg places_payloads = 1'b0;\n";
-            operations += PAYLOAD_OPERATIONS;
-        }
-        for (number, port) in self.payload_ports().iter().enumerate() {
-            text += &PAYLOAD.replace("NAME", port).replace("NUMBER", &number.to_string());
+        for memory in &self.records {
+            text += &memory.text();
+            operations += &memory.operations();
         }
         text += &self.joints();
         text += &self.instance();

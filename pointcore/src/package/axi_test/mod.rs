@@ -12,11 +12,12 @@ mod splat_script;
 
 use crate::search::SearchError;
 use crate::splat::SplatCore;
-use bench::{Bench, BenchMemory, Buffer, Payloads};
+use bench::{Bench, BenchMemory, Buffer, Placed, RecordMemory};
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::process::queries::Outcome;
 use pointcore_contract::search::records::CachedResult;
+use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS};
 use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, payload_bytes};
 use pointcore_contract::{fields, points, search, splat};
 use pointcore_tb::lockstep::LockstepError;
@@ -54,7 +55,7 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         },
         has_window: config.tree_cache == 0,
         buffer: None,
-        payloads: None,
+        records: vec![],
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
@@ -80,7 +81,7 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
             .collect(),
         has_window: !has_tree,
         buffer: None,
-        payloads: None,
+        records: vec![],
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
 }
@@ -106,15 +107,39 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
             tiles: config.buffer_tiles() as u32,
             pixel_beats: stride / (config.bus.memory_bits / 8),
         }),
-        payloads: config.has_payloads_in_memory().then(|| {
-            let stride = Layout::record::<PayloadWord>(config).stride(config.bus.memory_bits);
-            let ports = Ports::ALL.payload_reads.iter().take(config.payload_ports() as usize);
-            Payloads {
-                ports: ports.map(|port| port.address.bus).collect(),
-                words: payload_bytes(config, config.bus.memory_bits) / stride,
-                word_beats: stride / (config.bus.memory_bits / 8),
-            }
-        }),
+        records: [payloads(config), depths(config)].into_iter().flatten().collect(),
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
+}
+
+/// The memory of payloads, if there is one.
+fn payloads(config: &splat::Config) -> Option<RecordMemory> {
+    let beat_bits = config.bus.memory_bits;
+    let stride = Layout::record::<PayloadWord>(config).stride(beat_bits);
+    let ports = Ports::ALL.payload_reads.iter().take(config.payload_ports() as usize);
+    config.has_payloads_in_memory().then(|| RecordMemory {
+        kind: "payload",
+        ports: ports.map(|port| port.address.bus).collect(),
+        is_apart: true,
+        records: payload_bytes(config, beat_bits) / stride,
+        record_beats: stride / (beat_bits / 8),
+        beat_bits,
+        placed: Placed::Nothing,
+        operation: script::PLACE_PAYLOADS,
+    })
+}
+
+/// The memory of depths, if there is one.
+fn depths(config: &splat::Config) -> Option<RecordMemory> {
+    let ports = Ports::ALL.depth_reads.iter().take(config.merge_ports() as usize);
+    config.merge.is_on().then(|| RecordMemory {
+        kind: "depth",
+        ports: ports.map(|port| port.address.bus).collect(),
+        is_apart: false,
+        records: TILE_PIXELS << config.tile_bits(),
+        record_beats: 1,
+        beat_bits: MERGED_DEPTH_BITS,
+        placed: Placed::Depths,
+        operation: script::PLACE_DEPTHS,
+    })
 }

@@ -16,6 +16,9 @@ const ALL_STROBES: u32 = 0xf;
 /// What registers answer.
 const OKAY: u32 = 0;
 const SLAVE_ERROR: u32 = 2;
+/// Operations that place records which the renderer has in memory.
+pub const PLACE_PAYLOADS: u8 = 35;
+pub const PLACE_DEPTHS: u8 = 36;
 /// Channels of the bench, by number.
 const CHANNELS: u32 = 19;
 
@@ -316,7 +319,12 @@ impl Script {
 
     /// Places memories of payloads in which nothing is written.
     pub fn place_payloads(&mut self, base: u32) {
-        self.operation(35, 0, &[base]);
+        self.operation(PLACE_PAYLOADS.into(), 0, &[base]);
+    }
+
+    /// Places memories of depths.
+    pub fn place_depths(&mut self, base: u32) {
+        self.operation(PLACE_DEPTHS.into(), 0, &[base]);
     }
 
     /// The whole script.

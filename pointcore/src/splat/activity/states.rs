@@ -231,7 +231,7 @@ pub(super) fn at_ports(config: &Config, inputs: &In, outputs: &Out) -> Counts {
 
 /// What events tell of rasterizers and accumulators.
 fn of_rasterizers(events: &Events, rasterizers: u32) -> Counts {
-    let Events { sample, starved, blocked, accumulate, hazard, slot_wait } = *events;
+    let Events { sample, starved, blocked, accumulate, hazard, slot_wait, hidden: _ } = *events;
     let mut counts = Counts::default();
     // Without an event no sample inside a splat is at the head of an accumulator.
     let rasterizer = [(State::Busy, sample), (State::Starved, starved), (State::Held, blocked)];

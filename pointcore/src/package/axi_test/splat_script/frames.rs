@@ -92,6 +92,7 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
     EncodedFrame {
         records: splats.into_iter().chain([END]).collect(),
         uniforms: uniforms(&camera, &rendering(config, number), config),
+        depths: None,
     }
 }
 

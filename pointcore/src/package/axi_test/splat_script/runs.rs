@@ -1,10 +1,12 @@
 //! Frames of the renderer: whole ones, disturbed ones, and such as are aborted.
 
+use super::super::bench::depth_at;
 use super::super::control::Control;
 use super::super::operations::{Channel, Pauses, Refusal};
 use super::super::registers::{ABORT, BUSY, DONE, RESET, START, WAITING, clear, refuse_while_busy};
 use super::super::script::{Script, words};
 use super::frames::Frame;
+use crate::splat::depth_memory::Depths;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
 use pointcore_contract::bus::{Layout, Register};
 use pointcore_contract::splat::Config;
@@ -15,6 +17,8 @@ use pointcore_contract::{fields, words as values};
 const BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
 /// Where payloads lie in each frame.
 const PAYLOAD_BASES: [u32; 2] = [0x3c96_9000, 0xc369_6000];
+/// Where depths lie in each frame.
+const DEPTH_BASES: [u32; 2] = [0x1e4b_5000, 0xe1b4_a000];
 /// Frames of a run: with one camera and another, and with another screen filter.
 const AHEAD: [usize; 6] = [0, 1, 0, 2, 1, 1];
 /// Cycles in which what is under way comes to rest, or to wherever it is held.
@@ -50,6 +54,9 @@ impl<'a> Host<'a> {
         self.control.set("buffer_base", BASES[frame]);
         if self.config.has_payloads_in_memory() {
             self.control.set("payload_base", PAYLOAD_BASES[frame]);
+        }
+        if self.config.merge.is_on() {
+            self.control.set("depth_base", DEPTH_BASES[frame]);
         }
         self.control.script.write(INTERRUPT_ENABLE, 1);
         self.look(frame);
@@ -89,11 +96,14 @@ impl<'a> Host<'a> {
         (0..self.count()).for_each(|index| self.send(index));
     }
 
-    /// Places a frame's memories, with nothing in them.
+    /// Places a frame's memories, with nothing in them but depths.
     fn place(&mut self, frame: usize) {
         self.control.script.place_buffer(BASES[frame]);
         if self.config.has_payloads_in_memory() {
             self.control.script.place_payloads(PAYLOAD_BASES[frame]);
+        }
+        if self.config.merge.is_on() {
+            self.control.script.place_depths(DEPTH_BASES[frame]);
         }
     }
 
@@ -103,15 +113,17 @@ impl<'a> Host<'a> {
         self.place(self.now);
     }
 
-    /// Expects the fragments of frames that follow each other.
+    /// Expects the fragments of frames that follow each other, from depths as they are placed.
     fn expect_all(&mut self, frames: &[usize]) {
         let layout = Layout::record::<Fragment>(self.config);
         let bytes = layout.packet_bytes(self.config.bus.stream_bits);
         let packet = |fragment: &Fragment| words(&layout.encode(&values(self.config, *fragment), bytes));
         // Those of a tile come in their order, tiles in any.
         let mut answers = vec![];
+        let mut depths = Depths::of_places(self.config, depth_at);
         for frame in frames {
-            let mut fragments = self.frames[*frame].fragments.clone();
+            let all = &self.frames[*frame].fragments;
+            let mut fragments = if self.config.merge.is_on() { depths.merge(self.config, all) } else { all.clone() };
             // Tiles of several rasterizers come interleaved.
             fragments.sort_by_key(|fragment| (fragment.end, tile(fragment)));
             for fragments in fragments.chunk_by(|one, other| tile(one) == tile(other)) {
