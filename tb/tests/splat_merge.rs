@@ -43,7 +43,7 @@ fn depth(config: &Config, tile: u32, pixel: u32) -> u32 {
 
 fn place(config: &Config, fragment: &Fragment) -> (u32, u32) {
     let [column, row] = [fragment.column, fragment.row].map(u32::from);
-    let tile = (row / TILE_SIZE) << config.tile_column_bits() | column / TILE_SIZE;
+    let tile = ((row / TILE_SIZE) << config.tile_column_bits()) | (column / TILE_SIZE);
     (tile, row % TILE_SIZE * TILE_SIZE + column % TILE_SIZE)
 }
 

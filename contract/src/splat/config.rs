@@ -174,7 +174,7 @@ configuration! {
             /// Copies whose payload is asked for before they are drawn, where it is in memory: enough for its latency.
             payload_ahead: u32 = 16, range(1, 64), User;
             /// Fragments whose depth in memory is asked for before they are tested, with `merge`: enough for its latency.
-            merge_ahead: u32 = 64, range(8, 1024), User;
+            merge_ahead: u32 = 128, range(8, 1024), User;
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).

@@ -51,7 +51,7 @@ impl Merge {
     /// The tile of a fragment, and which of its pixels it is.
     fn place(&self, fragment: &Fragment) -> (u32, u8) {
         let [column, row] = [fragment.column, fragment.row].map(u32::from);
-        let tile = (row / TILE_SIZE) << self.tile_column_bits | column / TILE_SIZE;
+        let tile = ((row / TILE_SIZE) << self.tile_column_bits) | (column / TILE_SIZE);
         (tile, (row % TILE_SIZE * TILE_SIZE + column % TILE_SIZE) as u8)
     }
 
