@@ -1,6 +1,7 @@
 //! Hardware for point-based graphics, from a scene or a point set to Verilog, and from Verilog to results.
 //!
 //! - What is drawn or searched: [`scene`], [`search::PointSet`]; what is read of it: [`inspect`], [`picture`], [`shading`], [`color`].
+//! - What is drawn beside splats by others: [`triangles`].
 //! - Which hardware that calls for: [`plan`], [`cost`], [`area`]; as files, [`configuration`].
 //! - The renderer and the search core, generated, with the hosts around them, on hardware, on the model, or on both: [`splat`], [`search`],
 //!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
@@ -32,6 +33,7 @@ pub mod shading;
 pub mod splat;
 pub mod stimuli;
 pub mod tally;
+pub mod triangles;
 pub mod uniforms;
 pub mod vectors;
 pub mod waveform;

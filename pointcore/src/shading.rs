@@ -6,6 +6,7 @@
 use crate::color::{linear_from_srgb, srgb_from_linear};
 use crate::picture::Picture;
 use crate::scene::Scene;
+use crate::triangles::Layer;
 use glam::{DMat3, DVec3};
 use pointcore_contract::surface::{COLOR, NORMAL};
 use pointcore_contract::{Camera, Sampling};
@@ -13,12 +14,13 @@ use pointcore_golden::reference::motion::Exposure;
 use pointcore_golden::reference::{Fragment, Frame, sampling};
 use rayon::prelude::*;
 
-/// Shades a frame of `scene`, from the reference or read back from hardware.
+/// Shades a frame of `scene`, from the reference or read back from hardware; its triangles are seen where no splat is.
 #[must_use]
 pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
     let view = View::new(&scene.camera, scene);
+    let triangles = Layer::of(scene);
     let pixel = |(index, fragment): (usize, &Option<Fragment>)| {
-        let linear = match fragment {
+        let linear = match fragment.as_ref().or_else(|| triangles.as_ref()?.at(index)) {
             Some(fragment) => {
                 let (column, row) = (index % frame.width, index / frame.width);
                 let [x, y] = sampling::position(scene.rendering.sampling, column, row);
@@ -161,6 +163,8 @@ mod tests {
                 epsilon_bias: 0.0,
             },
             splats: Vec::new(),
+            surfaces: Vec::new(),
+            triangles: Vec::new(),
             light: crate::scene::Light { direction: [0.0, 0.0, 3.0], ambient: 0.1, diffuse },
             materials: [0.0, 0.5].map(|specular| crate::scene::Material { specular, shininess: 10.0 }).to_vec(),
             background: [0.0, 0.5, 1.0],

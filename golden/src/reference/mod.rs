@@ -66,6 +66,22 @@ impl Statistics {
     }
 }
 
+impl std::ops::Add for Statistics {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            splats: self.splats + other.splats,
+            back_facing: self.back_facing + other.back_facing,
+            outside_depth: self.outside_depth + other.outside_depth,
+            outside_viewport: self.outside_viewport + other.outside_viewport,
+            crossing: self.crossing + other.crossing,
+            samples: self.samples + other.samples,
+            inside: self.inside + other.inside,
+        }
+    }
+}
+
 /// Renders `splats` in their order.
 #[must_use]
 pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping: Mapping) -> Frame {

@@ -10,9 +10,11 @@ use pointcore::picture::Picture;
 use pointcore::plan::{MovingPlan, Plan};
 use pointcore::scene::Scene;
 use pointcore::shading::{exposed, picture};
-use pointcore::splat::{DEPTH_ROUNDING, EncodedFrame, MovingSession, RenderEngine, SplatCore, SplatRunner, assemble};
+use pointcore::splat::{
+    DEPTH_ROUNDING, EncodedFrame, MovingSession, RenderEngine, SplatCore, SplatRunner, assemble, reference,
+};
 use pointcore_golden::reference::motion::Method;
-use pointcore_golden::reference::{Frame, Mapping, render};
+use pointcore_golden::reference::{Frame, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
 
@@ -51,10 +53,6 @@ pub(super) fn truth(scene: &Scene) -> Picture {
         Some(_) => exposed(&by_samples(scene, TRUE_SAMPLES, &|| ()), scene),
         None => picture(&reference(scene, Mapping::Backward), scene),
     }
-}
-
-fn reference(scene: &Scene, mapping: Mapping) -> Frame {
-    render(&scene.splats, &scene.camera, &scene.rendering, mapping)
 }
 
 /// The frame on hardware, and what that took.

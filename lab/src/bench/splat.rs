@@ -11,7 +11,7 @@ use pointcore::shading::shade;
 use pointcore::splat::{
     Drawn, EncodedFrame, Fates, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble,
 };
-use pointcore_golden::reference::{self, Mapping};
+use pointcore_golden::reference::Mapping;
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
 use serde_json::Value;
@@ -89,7 +89,7 @@ impl Reported<'_> {
     /// What is said of it.
     pub fn report(&self, runner: &SplatRunner, outcome: &SplatOutcome) -> SplatReport {
         let Self { name, scene, plan, engine, mismatches } = *self;
-        let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+        let reference = pointcore::splat::reference(scene, Mapping::Backward);
         let rendered = assemble(plan, &outcome.fragments);
         SplatReport::new(&SplatRun {
             scene: name,

@@ -34,12 +34,24 @@ pub(super) fn of_still(scene: &Scene, config: &Config, demand: &Demand) -> Vec<C
         of(Effect::ScreenFilter, on_off(config.screen_filter), filter),
     ];
     choices.extend(of_any(scene, config, demand));
+    choices.push(if config.merge.is_on() {
+        fixed("merge", "depths in memory", &format!("{} hide what lies behind them", merged(scene)))
+    } else {
+        fixed("merge", "none", "neither triangles nor other surfaces hide splats; no depths are read from memory")
+    });
     choices.push(fixed(
         "motion",
         "none",
         "nothing moves while the shutter is open; there is no hardware for what does",
     ));
     choices
+}
+
+/// What fragments are tested against.
+pub(super) fn merged(scene: &Scene) -> String {
+    let triangles = (!scene.triangles.is_empty()).then(|| format!("{} triangles", scene.triangles.len()));
+    let surfaces = (scene.surfaces.len() > 1).then(|| format!("{} surfaces", scene.surfaces.len()));
+    triangles.into_iter().chain(surfaces).collect::<Vec<_>>().join(" and ")
 }
 
 /// Of splats whether they move or not.

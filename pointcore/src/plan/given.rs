@@ -1,6 +1,7 @@
 //! A scene on hardware that it was not planned for, and what no hardware may lack.
 
 use super::attributes::{constants, filter_conflict, material_conflict, varying};
+use super::choices::merged;
 use super::demand::Demand;
 use super::{Effect, Plan, PlanError, everything, is_filtered, materials};
 use crate::scene::Scene;
@@ -98,6 +99,11 @@ pub(super) fn held(
             let remedy = format!("set `{key} = {asked}`, or the scene's `{scene_key} = {held}`");
             return excluded(effect, reason, key, held, remedy);
         }
+    }
+    if scene.is_merged() && !config.merge.is_on() {
+        let reason = format!("its {} may hide splats", merged(scene));
+        let remedy = "set `merge = \"on\"`".to_owned();
+        return excluded("depths in memory", reason, "merge", "\"off\"".to_owned(), remedy);
     }
     let gamma = scene.rendering.kernel_gamma;
     if gamma.to_bits() != config.kernel_gamma.to_bits() {

@@ -5,12 +5,13 @@ use pointcore_contract::splat::Config;
 use serde::Deserialize;
 
 /// Keys of the configuration that follow from the scene alone, and where it says them.
-const SCENE_KEYS: [(&str, &str); 7] = [
+const SCENE_KEYS: [(&str, &str); 8] = [
     ("width", "set `image.width`"),
     ("height", "set `image.height`"),
     ("sampling", "set `image.sampling`"),
     ("depth", "set `splatting.depth`"),
     ("time_bins", "set `splatting.motion`, e.g. to \"bins:4\"; it is 0 where nothing moves"),
+    ("merge", "it is \"on\" with `object.draw = \"triangles\"` or `splatting.surfaces = \"objects\"`"),
     ("kernel_gamma", "set `splatting.kernel_gamma`"),
     ("cardinal", "it is 1 where splats differ in `material`"),
 ];

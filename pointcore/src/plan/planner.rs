@@ -184,6 +184,7 @@ fn of_scene(scene: &Scene, time_bins: u32) -> Config {
         sampling: scene.rendering.sampling,
         depth: scene.rendering.depth,
         kernel_gamma: scene.rendering.kernel_gamma,
+        merge: feature(scene.is_merged()),
         ..Config::default()
     };
     if time_bins == 0 {

@@ -2,7 +2,8 @@
 
 use super::camera::{self, Pose, Problem, within};
 use super::disc::{Disc, Placement, Sides};
-use super::file::{ImageTable, Light, LightDirection, LightTable, Material, SceneFile, SplattingTable};
+use super::file::{Draw, ImageTable, Light, LightDirection, LightTable, Material, SceneFile, SplattingTable, Surfaces};
+use super::mesh::Triangle;
 use super::motion::{self, Motion};
 use super::{Scene, View, fit, model, object};
 use crate::color::linear_from_srgb;
@@ -72,30 +73,46 @@ fn method(splatting: &SplattingTable) -> Result<Option<Method>, Fault> {
 /// Makes the scene of checked tables and discs, of which each object has a span.
 pub(super) fn assemble(
     file: SceneFile,
-    mut discs: Vec<Disc>,
+    (mut discs, triangles): (Vec<Disc>, Vec<Triangle>),
     spans: &[Range<usize>],
     notes: Vec<String>,
 ) -> Result<Scene, Fault> {
     if discs.is_empty() {
-        return Err(("object".to_owned(), "is empty: a scene needs at least one object".to_owned()));
+        let problem = if triangles.is_empty() {
+            "is empty: a scene needs at least one object"
+        } else {
+            "draws triangles alone: a scene needs at least one object of splats"
+        };
+        return Err(("object".to_owned(), problem.to_owned()));
     }
     let mut motion = Motion::of(&file, spans, method(&file.splatting)?);
+    if let (Some(_), Some(index)) = (&motion, file.objects.iter().position(|object| object.draw == Draw::Triangles)) {
+        let problem = "is \"triangles\", which go with scenes that stand still, but something moves: draw splats";
+        return Err((format!("object.{index}.draw"), problem.to_owned()));
+    }
     let mut camera_path = None;
     if let Some(motion) = &mut motion {
         motion.move_to_middle(&mut discs);
         camera_path = motion.take_camera();
     }
-    let placement = Placement::of(&discs);
+    let is_separate = file.splatting.surfaces == Surfaces::Objects;
+    if is_separate && motion.is_some() {
+        let problem = "is \"objects\", which goes with scenes that stand still, but something moves: leave it out";
+        return Err(("splatting.surfaces".to_owned(), problem.to_owned()));
+    }
+    // What cameras are to see, and coordinates to count from, are corners of triangles, too.
+    let seen_still: Vec<Disc> = discs.iter().cloned().chain(triangles.iter().flat_map(Triangle::extent)).collect();
+    let placement = Placement::of(&seen_still);
     let splats: Vec<Splat> = discs.iter().map(|disc| placement.splat(disc)).collect();
     // Where a camera looks for discs: a moving scene's lie along their ways.
     let seen = |motion: &Option<Motion>| motion.as_ref().map(|motion| motion.of_all_instants(&discs));
-    let mut poses = poses(&file, seen(&motion).as_deref().unwrap_or(&discs));
+    let mut poses = poses(&file, seen(&motion).as_deref().unwrap_or(&seen_still));
     if let (Some(motion), [pose]) = (&mut motion, &mut poses[..]) {
         motion.give_camera(camera_path, pose.eye);
         *pose = motion.pose(pose);
     }
     let seen = seen(&motion);
-    let seen = seen.as_deref().unwrap_or(&discs);
+    let seen = seen.as_deref().unwrap_or(&seen_still);
     let view = |pose: Pose| {
         let depths = fit::depths(seen, &pose, [file.camera.near, file.camera.far])?;
         let camera = camera::derive(&pose, depths, &file.image, &placement)?;
@@ -115,6 +132,8 @@ pub(super) fn assemble(
         camera: first.camera,
         rendering,
         splats,
+        surfaces: if is_separate { spans.iter().filter(|span| !span.is_empty()).cloned().collect() } else { vec![] },
+        triangles: triangles.iter().map(|triangle| triangle.placed(&placement)).collect(),
         light: first.light.clone(),
         materials: if file.materials.is_empty() { vec![Material::default()] } else { file.materials },
         background: file.image.background.map(linear_from_srgb),

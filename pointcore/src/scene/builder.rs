@@ -136,6 +136,6 @@ impl SceneBuilder {
             let problem = format!("is {:?}: expected finite numbers and a material below {materials}", discs[index]);
             return Err(value((format!("discs.{index}"), problem)));
         }
-        assemble::assemble(file, discs, &[], Vec::new()).map_err(value)
+        assemble::assemble(file, (discs, Vec::new()), &[], Vec::new()).map_err(value)
     }
 }

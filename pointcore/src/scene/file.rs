@@ -157,10 +157,23 @@ pub(super) struct SplattingTable {
     pub epsilon_bias: Option<f64>,
     /// Whether samples have their splat's depth, or that of its plane.
     pub depth: FragmentDepth,
+    /// What splats blend with.
+    pub surfaces: Surfaces,
     /// How a moving scene settles what hides what.
     pub motion: Option<String>,
     /// How far straight parts of a path may lie from it.
     pub resample_px: Option<f64>,
+}
+
+/// Which splats are of one surface.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Surfaces {
+    /// All of them.
+    #[default]
+    One,
+    /// Those of each object, one surface after the other.
+    Objects,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -242,11 +255,24 @@ pub(super) enum Orientation {
     Viewpoint,
 }
 
+/// What an object is made of.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Draw {
+    /// Splats.
+    #[default]
+    Splats,
+    /// The file's faces, which whoever draws triangles leaves in memory before splats are tested against them.
+    Triangles,
+}
+
 /// An object of any kind; which keys apply to which is settled when it is built.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ObjectTable {
     pub kind: Kind,
+    #[serde(default)]
+    pub draw: Draw,
 
     pub points: Option<Points>,
     pub outer_radius: Option<f64>,

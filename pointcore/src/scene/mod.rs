@@ -10,6 +10,7 @@ mod disc;
 mod error;
 mod file;
 mod fit;
+mod mesh;
 pub(crate) mod model;
 mod motion;
 pub mod neighbors;
@@ -25,14 +26,16 @@ pub use camera::FRAMES_LIMIT;
 pub use disc::{Disc, Placement, Sides};
 pub use error::SceneError;
 pub use file::{Light, Material};
+pub use mesh::{Corner, Triangle};
 pub use model::{InvalidPoints, Model, NormalOrigin, NormalSource, is_guarded};
 pub use motion::Motion;
 pub use shapes::trefoil;
 
-use file::SceneFile;
+use file::{Draw, SceneFile};
 use glam::DVec3;
 use pointcore_contract::surface::NORMAL;
 use pointcore_contract::{Camera, Rendering, Splat};
+use std::ops::Range;
 use std::path::Path;
 
 /// Thirty times the largest scan of the thesis; keeps a slip of the keyboard from filling the memory.
@@ -47,6 +50,10 @@ pub struct Scene {
     pub rendering: Rendering,
     /// The splats, object after object.
     pub splats: Vec<Splat>,
+    /// Splats of surfaces that do not blend with each other, one after the other; none where all are of one.
+    pub surfaces: Vec<Range<usize>>,
+    /// Triangles that whoever draws them leaves in memory before the splats, where splats' coordinates count from.
+    pub triangles: Vec<Triangle>,
     /// The light.
     pub light: Light,
     /// At least one; splats refer to them by index.
@@ -90,18 +97,22 @@ impl Scene {
         let file = SceneFile::load(path, settings)?;
         let value = |(key, problem): (String, String)| SceneError::Value { path: path.to_owned(), key, problem };
         assemble::check(&file).map_err(value)?;
-        let (mut discs, mut spans, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut discs, mut triangles, mut spans, mut notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (index, object) in file.objects.iter().enumerate() {
             let key = format!("object.{index}");
+            object::check(object).map_err(|(name, problem)| value((format!("{key}.{name}"), problem)))?;
             let first = discs.len();
-            discs.extend(object::build(object, path, &key, &mut notes)?);
+            match object.draw {
+                Draw::Splats => discs.extend(object::build(object, path, &key, &mut notes)?),
+                Draw::Triangles => triangles.extend(mesh::build(object, path, &key)?),
+            }
             spans.push(first..discs.len());
             if discs.len() > SPLAT_LIMIT {
                 let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", discs.len());
                 return Err(value((key, problem)));
             }
         }
-        assemble::assemble(file, discs, &spans, notes).map_err(value)
+        assemble::assemble(file, (discs, triangles), &spans, notes).map_err(value)
     }
 
     /// A scene of discs in memory, seen by a camera around it unless the builder is told otherwise.
@@ -124,6 +135,12 @@ impl Scene {
         if !self.is_lit() {
             self.splats.iter_mut().for_each(|splat| splat.attributes[NORMAL].fill(0.0));
         }
+    }
+
+    /// Whether fragments are tested against depths in memory: those of triangles, or of surfaces that came before.
+    #[must_use]
+    pub fn is_merged(&self) -> bool {
+        !self.triangles.is_empty() || self.surfaces.len() > 1
     }
 
     /// Whether the light falls on surfaces from its direction, so that shading reads normals and materials.

@@ -16,7 +16,7 @@ const SPLAT_RADIUS_RANGE: RangeInclusive<f64> = 1e-30..=COORDINATE_LIMIT;
 /// Windings beyond this leave no room between the turns of a tube.
 const WINDING_LIMIT: u32 = 1000;
 /// sRGB gray of objects without any color.
-const DEFAULT_COLOR: [f64; 3] = [0.8; 3];
+pub(super) const DEFAULT_COLOR: [f64; 3] = [0.8; 3];
 
 /// An object's points before placement.
 pub(super) struct Surface {
@@ -30,6 +30,26 @@ pub(super) struct Surface {
     pub is_two_sided: bool,
 }
 
+/// How an object stands in the world.
+pub(super) struct Posture {
+    pub rotation: DQuat,
+    scale: f64,
+    translation: DVec3,
+}
+
+impl Posture {
+    pub fn of(object: &ObjectTable) -> Self {
+        let [x, y, z] = object.rotate_degrees.map(f64::to_radians);
+        let rotation = DQuat::from_euler(EulerRot::XYZEx, x, y, z);
+        Self { rotation, scale: object.scale, translation: DVec3::from_array(object.translate) }
+    }
+
+    /// A place of the object in the world.
+    pub fn place(&self, own: DVec3) -> DVec3 {
+        self.rotation * (self.scale * own) + self.translation
+    }
+}
+
 /// Builds the discs of an object; `scene` is the path of its scene file, `key` names it there. What is to be said of it is added to `notes`.
 pub(super) fn build(
     object: &ObjectTable,
@@ -39,8 +59,6 @@ pub(super) fn build(
 ) -> Result<Vec<Disc>, SceneError> {
     let value =
         |(name, problem): Problem| SceneError::Value { path: scene.to_owned(), key: format!("{key}.{name}"), problem };
-    check_keys(object).map_err(value)?;
-    check_placement(object).map_err(value)?;
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
     // A model alone has no scene file to be edited.
     let points_key = format!("{}{key}.points", if Model::is_model(scene) { "--set " } else { "" });
@@ -62,11 +80,10 @@ pub(super) fn build(
         shape_surface(object, color).map_err(value)?
     };
 
-    let [x, y, z] = object.rotate_degrees.map(f64::to_radians);
-    let rotation = DQuat::from_euler(EulerRot::XYZEx, x, y, z);
-    let translation = DVec3::from_array(object.translate);
+    let posture = Posture::of(object);
+    let rotation = posture.rotation;
     let disc = |index: usize| {
-        let center = rotation * (object.scale * surface.points[index]) + translation;
+        let center = posture.place(surface.points[index]);
         let normal = rotation * surface.normals[index];
         let scale = object.scale * object.radius_scale;
         let radius = scale * surface.radii[index];
@@ -93,8 +110,14 @@ pub(super) fn build(
     (0..surface.points.len()).map(disc).collect()
 }
 
-fn linear(color: [f64; 3]) -> [f32; 3] {
+pub(super) fn linear(color: [f64; 3]) -> [f32; 3] {
     color.map(|component| linear_from_srgb(component) as f32)
+}
+
+/// Rejects values that make no sense, whatever the object is made of.
+pub(super) fn check(object: &ObjectTable) -> Result<(), Problem> {
+    check_keys(object)?;
+    check_placement(object)
 }
 
 /// Rejects keys that belong to other kinds of objects: they would be ignored silently.
@@ -167,14 +190,14 @@ pub(super) fn check_color(color: [f64; 3]) -> Result<(), String> {
     valid.then_some(()).ok_or_else(|| format!("is {color:?}: expected red, green and blue from 0 to 1"))
 }
 
-fn positive(value: f64, key: &'static str) -> Result<f64, Problem> {
+pub(super) fn positive(value: f64, key: &'static str) -> Result<f64, Problem> {
     let valid = value > 0.0 && value <= COORDINATE_LIMIT;
     valid
         .then_some(value)
         .ok_or_else(|| (key, format!("is {value}: expected a positive number up to {COORDINATE_LIMIT:e}")))
 }
 
-fn required<T>(value: Option<T>, key: &'static str, kind: Kind) -> Result<T, Problem> {
+pub(super) fn required<T>(value: Option<T>, key: &'static str, kind: Kind) -> Result<T, Problem> {
     value.ok_or_else(|| (key, format!("is missing: a `{}` needs it", kind.name())))
 }
 

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use crate::plan::Plan;
-use crate::splat::{EncodedFrame, Fates};
+use crate::splat::{EncodedFrame, Fates, reference};
 use pointcore_contract::Splat;
 use pointcore_golden::reference::{Frame, Mapping, render};
 use std::path::Path;
@@ -30,6 +30,14 @@ fn inside_of_a_model_splats_reach_behind_the_eye() {
         scene.splats.iter().filter(reaches).count()
     };
     assert!(crosses(0.0) > 20 && crosses(scene.camera.near) > 20, "{} {}", crosses(0.0), crosses(scene.camera.near));
+}
+
+#[test]
+fn triangles_hide_a_third_of_a_knot() {
+    let (scene, frame) = rendered("triangles");
+    let all = frame.pixels.iter().flatten().count() as f64;
+    let seen = reference(&scene, Mapping::Backward).pixels.iter().flatten().count() as f64;
+    assert!((0.5..0.75).contains(&(seen / all)), "{seen} of {all}");
 }
 
 #[test]

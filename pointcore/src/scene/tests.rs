@@ -271,3 +271,64 @@ fn a_scene_s_text_is_the_scene_wherever_it_lies() {
     let path = igea.lines().find_map(|line| line.strip_prefix("path = \"")).expect("its model is a file");
     assert!(path.starts_with('/') && path.ends_with("igea.ply\""), "{path}");
 }
+
+/// A floor of triangles below the sphere.
+const FLOOR: &str = "[[object]]\nkind = \"plane\"\ndraw = \"triangles\"\nsize = 4\nchecks = [2, 3]\n\
+                     checker_color = [0, 0, 0]\ntranslate = [0, -1, 0]\n";
+
+#[test]
+fn objects_of_triangles_stand_beside_those_of_splats() {
+    let both = load(&format!("{SPHERE}{FLOOR}"), &[]).expect("the scene is good");
+    assert_eq!((both.splats.len(), both.triangles.len()), (500, 2 * 2 * 3));
+    let corners = both.triangles.iter().flat_map(|triangle| triangle.corners);
+    assert!(corners.clone().all(|corner| corner.place.y == -1.0 && corner.normal == DVec3::Y));
+    assert_eq!(corners.map(|corner| corner.place.x).fold(0.0, f64::max), 2.0);
+    let message = |text: &str| load(text, &[]).expect_err("the scene is bad").to_string();
+    let alone = format!("{}{FLOOR}", &SPHERE[..SPHERE.find("[[object]]").expect("there is one")]);
+    let moves = "shutter = { open = 0, close = 1 }\n".to_owned()
+        + &SPHERE.replace("outer_radius = 1", "outer_radius = 1\nmotion = { velocity = [1, 0, 0] }")
+        + FLOOR;
+    for (text, part) in [
+        (alone, "`object` draws triangles alone"),
+        (moves, "`object.1.draw` is \"triangles\", which go with scenes that stand still"),
+        (format!("{SPHERE}{FLOOR}points = 9\n"), "`object.1.points` belongs to splats"),
+        (
+            SPHERE.replace("points = 500", "draw = \"triangles\""),
+            "`object.0.draw` is \"triangles\", which `file` and `plane` have",
+        ),
+        (SPHERE.replace("points = 500", "draw = \"lines\""), "`splats` or `triangles`"),
+    ] {
+        let message = message(&text);
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
+}
+
+#[test]
+fn objects_may_be_surfaces_of_their_own() {
+    let two = format!("{SPHERE}[[object]]\nkind = \"sphere\"\npoints = 300\nouter_radius = 0.5\n");
+    let apart = format!("splatting = {{ surfaces = \"objects\" }}\n{two}{FLOOR}");
+    assert_eq!(load(&apart, &[]).expect("the scene is good").surfaces, [0..500, 500..800]);
+    assert!(!load(&two, &[]).expect("the scene is good").is_merged());
+    let moves = apart.replace("outer_radius = 0.5", "outer_radius = 0.5\nmotion = { velocity = [1, 0, 0] }");
+    let moves = format!("shutter = {{ open = 0, close = 1 }}\n{}", moves.replace(FLOOR, ""));
+    let message = load(&moves, &[]).expect_err("the scene is bad").to_string();
+    assert!(
+        message.contains("`splatting.surfaces` is \"objects\", which goes with scenes that stand still"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_camera_fits_triangles_too() {
+    let text = format!(
+        "{}{FLOOR}",
+        SPHERE.replace("eye = [0, 0, 5], target = [0, 0, 0], fov_degrees = 40, near = 1, far = 10", "fit = true")
+    );
+    let [alone, both] = [&text[..text.rfind("[[object]]").expect("there are two")], &text].map(|text| load(text, &[]));
+    let eye = |scene: Result<Scene, SceneError>| {
+        let rows = scene.expect("the scene is good").camera.model_view;
+        DVec3::from_array(rows.map(|row| row[3])).length()
+    };
+    let [alone, both] = [alone, both].map(eye);
+    assert!(both > 1.3 * alone, "{alone} and {both} away");
+}

@@ -58,7 +58,7 @@ impl Depths {
 
 /// Where a sample's depth lies.
 const fn place(config: &Config, column: u32, row: u32) -> usize {
-    let tile = (row / TILE_SIZE) << config.tile_column_bits() | column / TILE_SIZE;
+    let tile = ((row / TILE_SIZE) << config.tile_column_bits()) | (column / TILE_SIZE);
     depth_place(tile, row % TILE_SIZE * TILE_SIZE + column % TILE_SIZE) as usize
 }
 

@@ -5,6 +5,7 @@ use super::moving::{moving_records, shutter_weights};
 use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
+use crate::triangles::Layer;
 use crate::uniforms::uniforms;
 use pointcore_contract::Splat;
 use pointcore_contract::splat::records::{self, Attributes, Uniforms};
@@ -21,7 +22,7 @@ pub const END: records::Splat = records::Splat {
 /// What the host sends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EncodedFrame {
-    /// The splats in world space; the last record closes the frame.
+    /// The splats in world space; the last record closes the frame, others a surface of it.
     pub records: Vec<records::Splat>,
     /// The uniform registers.
     pub uniforms: Uniforms,
@@ -34,14 +35,19 @@ impl EncodedFrame {
     #[must_use]
     pub fn new(scene: &Scene, plan: &Plan) -> Self {
         let mut uniforms = uniforms(&scene.camera, &scene.rendering, &plan.config);
-        let mut records = if plan.config.has_motion() {
+        let mut records: Vec<_> = if plan.config.has_motion() {
             uniforms.shutter = shutter_weights(scene, &plan.config);
             moving_records(scene, plan)
         } else {
             scene.splats.iter().map(|splat| splat_record(splat, plan)).collect()
         };
+        // The last first, so that the others' places stay.
+        for surface in scene.surfaces.iter().rev().skip(1) {
+            records.insert(surface.end, END);
+        }
         records.push(END);
-        Self { records, uniforms, depths: None }
+        let depths = plan.config.merge.is_on().then(|| Layer::of(scene)).flatten();
+        Self { records, uniforms, depths: depths.map(|layer| layer.depths(&plan.config)) }
     }
 }
 

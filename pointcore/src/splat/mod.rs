@@ -35,4 +35,4 @@ pub use recorded::record;
 pub use report::{Drawn, SplatReport, SplatRun};
 pub use run::{SplatOutcome, SplatRunner};
 pub use sequence::FrameFigures;
-pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame};
+pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame, reference};

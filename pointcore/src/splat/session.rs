@@ -12,9 +12,10 @@ use crate::picture::Picture;
 use crate::plan::{Plan, PlanError};
 use crate::scene::Scene;
 use crate::shading;
+use crate::triangles::Layer;
 use crate::waveform::Waveform;
 use pointcore_contract::surface::{COLOR, NORMAL};
-use pointcore_golden::reference::{self, Frame, Mapping};
+use pointcore_golden::reference::{self, Fragment, Frame, Mapping};
 use pointcore_tb::lockstep::{LockstepError, Stall};
 use pointcore_tb::verilated::{Trace, VerilatedError};
 
@@ -76,7 +77,7 @@ pub struct FrameFragment {
 
 /// A frame.
 pub struct RenderedFrame {
-    /// Its fragments, row by row, none where there is no splat.
+    /// Its fragments, row by row, none where there is no splat, or where a triangle hides it.
     pub fragments: Vec<FrameFragment>,
     /// The fragments shaded, on the scene's background.
     pub picture: Picture,
@@ -208,16 +209,47 @@ impl RenderSession {
     /// The frame rendered last, by the f64 reference.
     #[must_use]
     pub fn reference(&self) -> Frame {
-        let Scene { splats, camera, rendering, .. } = &self.scene;
-        reference::render(splats, camera, rendering, Mapping::Backward)
+        reference(&self.scene, Mapping::Backward)
     }
+}
+
+/// The splats of a still scene by the f64 reference, as far as neither triangles nor nearer surfaces hide them.
+#[must_use]
+pub fn reference(scene: &Scene, mapping: Mapping) -> Frame {
+    let Scene { splats, camera, rendering, surfaces, .. } = scene;
+    let mut frame = match &surfaces[..] {
+        [] => reference::render(splats, camera, rendering, mapping),
+        surfaces => {
+            let frames =
+                surfaces.iter().map(|span| reference::render(&splats[span.clone()], camera, rendering, mapping));
+            frames.reduce(nearer).expect("there is a surface")
+        }
+    };
+    if let Some(triangles) = Layer::of(scene) {
+        triangles.hide(&mut frame);
+    }
+    frame
+}
+
+/// Of each sample the nearer of two surfaces, the first if they are as near.
+fn nearer(mut first: Frame, second: Frame) -> Frame {
+    let Frame { pixels, decisions, margins, statistics, .. } = second;
+    for (place, fragment) in pixels.into_iter().enumerate() {
+        let hidden = |new: &Fragment| first.pixels[place].as_ref().is_some_and(|old| old.depth <= new.depth);
+        if let Some(new) = fragment.filter(|new| !hidden(new)) {
+            first.pixels[place] = Some(new);
+            (first.decisions[place], first.margins[place]) = (decisions[place], margins[place]);
+        }
+    }
+    first.statistics = first.statistics + statistics;
+    first
 }
 
 fn fragments(scene: &Scene, samples: &Frame) -> Vec<FrameFragment> {
     let camera = &scene.camera;
     let three = |values: &[f64]| [0, 1, 2].map(|i| values[i] as f32);
     let placed = samples.pixels.iter().enumerate().filter_map(|(index, fragment)| Some((index, fragment.as_ref()?)));
-    let fragment = |(index, fragment): (usize, &reference::Fragment)| FrameFragment {
+    let fragment = |(index, fragment): (usize, &Fragment)| FrameFragment {
         column: index % samples.width,
         row: index / samples.width,
         depth: scene.placement.unit * camera.depth_b / (fragment.depth - camera.depth_a),

@@ -12,7 +12,8 @@ use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, Splat, Uniforms, payload_bytes};
 use pointcore_contract::{fields, words};
 
-/// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end last.
+/// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end of a surface
+/// last.
 ///
 /// # Errors
 /// The buffer has no place, or the golden model does not come to its end.
@@ -25,11 +26,9 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
     let payload_base = payloads.as_ref().map(|regions| ("payload_base", regions[0].base));
     let depths = if config.merge.is_on() { Some(depths(config, frame, &mut space)?) } else { None };
     let depth_base = depths.as_ref().map(|regions| ("depth_base", regions[0].base));
-    let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
-
+    let fragments = fragments(config, frame)?;
     let splats = frame.records.iter().map(|splat| words(config, *splat));
-    let end = Fragment { end: true, ..Fragment::default() };
-    let fragments = fragments.into_iter().chain([end]).map(|fragment| words(config, fragment));
+    let fragments = fragments.into_iter().map(|fragment| words(config, fragment));
     let uniforms = fields::<Uniforms>(config).into_iter().zip(words(config, frame.uniforms));
     let uniforms: Vec<_> = uniforms.map(|(field, value)| (field.name, value as u32)).collect();
     let uniforms = uniforms.iter().map(|(name, value)| (name.as_str(), *value));
@@ -47,6 +46,20 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
             .chain([payloads, depths].into_iter().flatten().flatten())
             .collect(),
     })
+}
+
+/// The fragments of a frame, those of each of its surfaces with their end.
+fn fragments(config: &Config, frame: &EncodedFrame) -> Result<Vec<Fragment>, VectorsError> {
+    let core = SplatCore::generate(config)?;
+    let mut depths = frame.depths.clone().unwrap_or_else(|| Depths::new(config, |_, _| None));
+    let mut fragments = vec![];
+    for records in frame.records.split_inclusive(|record| record.end) {
+        let surface = EncodedFrame { records: records.to_vec(), depths: None, ..frame.clone() };
+        let all = SplatRunner::new(config, &surface).golden(&core)?.fragments;
+        fragments.extend(if config.merge.is_on() { depths.merge(config, &all) } else { all });
+        fragments.push(Fragment { end: true, ..Fragment::default() });
+    }
+    Ok(fragments)
 }
 
 /// A region in which nothing lies.

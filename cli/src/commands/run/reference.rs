@@ -8,7 +8,7 @@ use pointcore::exposure;
 use pointcore::picture::Picture;
 use pointcore::scene::{Motion, Scene};
 use pointcore::shading;
-use pointcore_golden::reference::{Mapping, render};
+use pointcore_golden::reference::Mapping;
 use serde_json::{Value, json};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> 
         None => {
             // Configuration and overrides are held against the scene, as where it is rendered on hardware.
             plan_on(path, &scene, renderer.as_ref())?;
-            let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+            let frame = pointcore::splat::reference(&scene, Mapping::Backward);
             let is_blank = frame.pixels.iter().flatten().next().is_none();
             ((!is_blank).then(|| shading::picture(&frame, &scene)), String::new())
         }

@@ -34,6 +34,10 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --set object.0.two_sided=maybe", "object", "\"estimated\""),
     ("run good.toml --set light.direction=sun", "light.direction", "\"camera\""),
     ("run good.toml --set image.sampling=random", "image.sampling", "`flipquad`"),
+    ("run good.toml --set object.0.draw=lines", "object", "`triangles`"),
+    ("run good.toml --set object.0.draw=triangles", "`object.0.", "triangles"),
+    ("run good.toml --set overrides.merge=on", "`overrides.merge`", "`object.draw = \"triangles\"`"),
+    ("run good.toml --set splatting.surfaces=two", "splatting", "`objects`"),
     // Keys.
     ("run good.toml --set image.widht=64", "unknown field `widht`", "`width`"),
     ("run good.toml --set frob.nicate=1", "unknown field `frob`", "`camera`"),
