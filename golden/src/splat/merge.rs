@@ -15,6 +15,9 @@ pub struct Merge {
     low_bits: u32,
     waiting: Fifo<Fragment>,
     depths: Fifo<Depth>,
+    head: Option<(Fragment, Depth)>,
+    /// Fragments that were taken and not tested.
+    under_way: u32,
     reads: Skid<DepthRun>,
     writes: Skid<StoredDepth>,
     out: Skid<Fragment>,
@@ -35,6 +38,8 @@ impl Merge {
             low_bits: MERGED_DEPTH_BITS - config.geometry.width(),
             waiting: Fifo::new(ahead),
             depths: Fifo::new(ahead),
+            head: None,
+            under_way: 0,
             reads: Skid::default(),
             writes: Skid::default(),
             out: Skid::default(),
@@ -57,7 +62,7 @@ impl Merge {
 
     /// A fragment is taken, or none: returns the run that is to be asked for.
     fn gather(&mut self, taken: Option<&Fragment>) -> Option<DepthRun> {
-        let place = taken.filter(|fragment| !fragment.end).map(|fragment| self.place(fragment));
+        let place = taken.map(|fragment| self.place(fragment));
         match (place, &mut self.run) {
             (Some((tile, pixel)), Some(run))
                 if tile == run.tile
@@ -91,27 +96,30 @@ impl Model for Merge {
 
     fn clock(&mut self, inputs: &In) {
         let taken = inputs.input.filter(|_| self.in_ready());
-        let asked = self.gather(taken.as_ref());
+        let (fragment, ends) = (taken.filter(|taken| !taken.end), taken.is_some_and(|taken| taken.end));
+        let asked = self.gather(fragment.as_ref());
 
-        let shown = self.waiting.out().copied().filter(|_| self.out.in_ready());
-        let closes = shown.is_some_and(|fragment| fragment.end) && self.writes.out().is_none();
-        let tested = match (shown, self.depths.out()) {
-            (Some(fragment), Some(stored)) if !fragment.end && self.writes.in_ready() => {
-                Some((fragment, fragment.depth < stored.depth >> self.low_bits))
-            }
-            _ => None,
-        };
-        let visible = tested.filter(|(_, is_visible)| *is_visible).map(|(fragment, _)| fragment);
-        let written = visible.map(|fragment| {
+        let has_room = self.out.in_ready();
+        let closes = self.closing && self.under_way == 0 && has_room && self.writes.out().is_none();
+        let tested = self.head.filter(|_| has_room && self.writes.in_ready());
+        let is_nearer = |fragment: &Fragment, stored: &Depth| fragment.depth < stored.depth >> self.low_bits;
+        let sent = tested.filter(|(fragment, stored)| is_nearer(fragment, stored)).map(|(sent, _)| sent);
+        let written = sent.map(|fragment| {
             let (tile, pixel) = self.place(&fragment);
             StoredDepth { tile, pixel, value: Depth { depth: fragment.depth << self.low_bits } }
         });
-        self.hidden = tested.is_some() && visible.is_none();
-        self.closing = self.closing && !closes || taken.is_some_and(|fragment| fragment.end);
-        self.waiting.step(taken, tested.is_some() || closes);
-        self.depths.step(inputs.depth_data, tested.is_some());
+        self.hidden = tested.is_some() && sent.is_none();
+        self.closing = self.closing && !closes || ends;
+        self.under_way = self.under_way + u32::from(fragment.is_some()) - u32::from(tested.is_some());
+
+        let is_free = self.head.is_none() || tested.is_some();
+        let pair = self.waiting.out().copied().zip(self.depths.out().copied()).filter(|_| is_free);
+        self.head = pair.or(self.head.filter(|_| !is_free));
+        self.waiting.step(fragment, pair.is_some());
+        self.depths.step(inputs.depth_data, pair.is_some());
         self.reads.step(asked, inputs.depth_read_ready);
         self.writes.step(written, inputs.depth_write_ready);
-        self.out.step(if closes { shown } else { visible }, inputs.out_ready);
+        let end = closes.then(|| Fragment { end: true, ..Fragment::default() });
+        self.out.step(sent.or(end), inputs.out_ready);
     }
 }
