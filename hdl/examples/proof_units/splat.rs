@@ -1,11 +1,12 @@
 //! The renderer's units that keep and order what must not be lost, with as few levels, tiles and slots as show every case.
 
 use super::Proof;
+use pointcore_contract::Format;
 use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
 use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_hdl::splat::tile_cache::Depths;
-use pointcore_hdl::splat::{accumulator, heap, payloads, reorder, tile_cache};
+use pointcore_hdl::splat::{accumulator, heap, merge, payloads, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -92,6 +93,17 @@ fn accumulator() -> Proof {
     Proof::new("splat_accumulator", accumulator::sized(&config, 4, 2), &[])
 }
 
+/// Three fragments that wait, with depths of as few bits as are ordered, with neighbors of all kinds and with some that never wait.
+fn merges() -> [Proof; 2] {
+    const AHEAD: u32 = 3;
+    let geometry = Format { exponent: 1, mantissa: 0, ..Format::F24.flushed() };
+    let config = Config { geometry, merge: Feature::On, merge_ahead: AHEAD, ..copies() };
+    let sizes =
+        [("DEPTH_BITS", geometry.width()), ("ATTRIBUTE_BITS", config.attribute.width()), ("PATIENCE", AHEAD + 3)];
+    let merge = |name| Proof::new(name, merge::module(&config), &sizes);
+    [merge("splat_merge"), Proof { flags: vec!["STEADY"], ..merge("splat_merge_steady") }]
+}
+
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter().chain(tile_caches()).chain(payloads()).chain(reorders()).chain([accumulator()])
+    heaps().into_iter().chain(tile_caches()).chain(payloads()).chain(reorders()).chain([accumulator()]).chain(merges())
 }
