@@ -200,10 +200,11 @@ fn splat_units() -> Vec<MeasuredUnit> {
             let several = with(|config| config.rasterizers = 2);
             let ports = with(|config| (config.rasterizers, config.memory_ports) = (2, 2));
             let in_memory = with(|config| config.payload = PayloadStore::Memory);
+            let merging = with(|config| config.merge = splat_spec::Feature::On);
             let moving = with(|config| {
                 (config.time_bins, config.kernel_index_bits, config.screen_filter) = (4, 10, splat_spec::Feature::Off)
             });
-            let configurations = [ecp5(), several, ports, in_memory, moving];
+            let configurations = [ecp5(), several, ports, in_memory, merging, moving];
             let described = configurations.into_iter().find(|config| (unit.is_present)(config));
             describe(&described.expect("one of them has it"))
         })
