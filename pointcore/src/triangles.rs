@@ -136,12 +136,14 @@ impl Layer {
         })
     }
 
-    /// Takes from a frame of splats what lies behind triangles.
+    /// Takes from a frame of splats what lies behind triangles. How near a surface came to one is a margin of its depth test.
     pub fn hide(&self, splats: &mut Frame) {
-        for (splat, triangle) in splats.pixels.iter_mut().zip(&self.pixels) {
-            // As depths in memory have it.
-            let is_hidden = |splat: &Fragment, triangle: &Fragment| splat.depth >= f64::from(triangle.depth as f32);
-            if splat.as_ref().zip(triangle.as_ref()).is_some_and(|(splat, triangle)| is_hidden(splat, triangle)) {
+        for ((splat, margins), triangle) in splats.pixels.iter_mut().zip(&mut splats.margins).zip(&self.pixels) {
+            let (Some(found), Some(triangle)) = (&*splat, triangle) else { continue };
+            // As memory has it.
+            let stored = f64::from(triangle.depth as f32);
+            margins.depth = margins.depth.min((found.depth - stored).abs());
+            if found.depth >= stored {
                 *splat = None;
             }
         }

@@ -42,6 +42,15 @@ pub fn rounding_limit(config: &Config) -> f64 {
 /// and of the fixed-point depths behind it.
 pub const DEPTH_ROUNDING: f64 = 16.0 / (1 << 24) as f64;
 
+/// Roundings of a fragment's depth behind its sums: of both sums, of the reciprocal, which may be made of Newton steps, and of the product.
+const DEPTH_ROUNDINGS: f64 = 5.0;
+
+/// How far a fragment's depth may be off where it is tested against one in memory.
+#[must_use]
+pub fn merge_rounding(config: &Config) -> f64 {
+    DEPTH_ROUNDING + DEPTH_ROUNDINGS * 0.5_f64.powi(config.geometry.mantissa as i32 + 1)
+}
+
 /// How far ρ² may be off at the edge of a splat: some 2⁻²⁴ for each of its roundings, magnified by the foreshortening of splats that
 /// are seen almost edge-on.
 pub const EDGE_ROUNDING: f64 = 1.0 / (1 << 14) as f64;
@@ -52,6 +61,10 @@ pub struct Differences {
     /// Those that only one of both covers.
     #[serde(rename = "coverage_differences")]
     pub coverage: u64,
+    /// Of those, pixels where the reference's surface lies within rounding of a depth in memory ([`merge_rounding`]), so that one of both was
+    /// hidden.
+    #[serde(rename = "merge_differences")]
+    pub merge: u64,
     /// Those covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
     #[serde(rename = "material_differences")]
     pub material: u64,
@@ -92,7 +105,10 @@ impl Differences {
                     }
                 }
                 (None, None) => {}
-                _ => found.coverage += 1,
+                _ => {
+                    found.coverage += 1;
+                    found.merge += u64::from(config.merge.is_on() && margins.depth <= merge_rounding(config));
+                }
             }
         }
         found
@@ -112,10 +128,18 @@ impl Differences {
         )
     }
 
+    /// Why pixels are covered differently, in words.
+    fn covered(&self) -> String {
+        match self.merge {
+            0 => self.coverage.to_string(),
+            merge => format!("{}: in {merge} the surface lies within rounding of a depth in memory", self.coverage),
+        }
+    }
+
     /// The figures with their names, in words.
     pub(super) fn rows(&self) -> [(&'static str, String); 3] {
         [
-            ("pixels covered differently", self.coverage.to_string()),
+            ("pixels covered differently", self.covered()),
             ("pixels with another material", self.material.to_string()),
             ("pixels that differ by more than one rounding", self.explanation()),
         ]

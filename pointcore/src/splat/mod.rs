@@ -22,7 +22,9 @@ mod sequence;
 mod session;
 
 pub use bound::{FrameBound, bounds, copy_interval};
-pub use differences::{DEPTH_ROUNDING, Differences, EDGE_ROUNDING, ROUNDING_LIMIT, rounding_limit, sum_limit};
+pub use differences::{
+    DEPTH_ROUNDING, Differences, EDGE_ROUNDING, ROUNDING_LIMIT, merge_rounding, rounding_limit, sum_limit,
+};
 pub use encode::{END, EncodedFrame};
 pub(crate) use fates::Front;
 pub use fates::{Fates, copy_tiles};

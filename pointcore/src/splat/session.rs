@@ -231,15 +231,18 @@ pub fn reference(scene: &Scene, mapping: Mapping) -> Frame {
     frame
 }
 
-/// Of each sample the nearer of two surfaces, the first if they are as near.
+/// Of each sample the nearer of two surfaces, the first if they are as near; how far they are apart is a margin of its depth test.
 fn nearer(mut first: Frame, second: Frame) -> Frame {
     let Frame { pixels, decisions, margins, statistics, .. } = second;
-    for (place, fragment) in pixels.into_iter().enumerate() {
-        let hidden = |new: &Fragment| first.pixels[place].as_ref().is_some_and(|old| old.depth <= new.depth);
-        if let Some(new) = fragment.filter(|new| !hidden(new)) {
+    for (place, new) in pixels.into_iter().enumerate() {
+        let Some(new) = new else { continue };
+        let apart = first.pixels[place].as_ref().map_or(f64::INFINITY, |old| old.depth - new.depth);
+        if apart > 0.0 {
             first.pixels[place] = Some(new);
             (first.decisions[place], first.margins[place]) = (decisions[place], margins[place]);
         }
+        let margin = &mut first.margins[place].depth;
+        *margin = margin.min(apart.abs());
     }
     first.statistics = first.statistics + statistics;
     first
