@@ -180,8 +180,6 @@ mod tests {
     fn scene() -> Scene {
         let disc = |z: f64, color| Disc::new(DVec3::new(0.0, 0.0, z), DVec3::Z, 2.0).colored(color);
         let discs = vec![disc(0.0, [1.0, 0.0, 0.0]), disc(-1.0, [0.0, 1.0, 0.0])];
-        let mut scene =
-            Scene::of(discs).image(48, 48).camera([0.0, 0.0, 8.0], [0.0; 3], 40.0).build().expect("it is good");
         let corner = |place: [f64; 3]| Corner {
             place: DVec3::from_array(place),
             normal: DVec3::new(0.0, 1.0, 1.0).normalize(),
@@ -189,8 +187,9 @@ mod tests {
         };
         // The upper half lies before the red disc, the lower one behind the green one.
         let corners = [[-3.0, 2.5, 1.0], [3.0, 2.5, 1.0], [0.0, -2.5, -2.0]].map(corner);
-        scene.triangles = vec![Triangle { corners, material: 0 }];
-        scene
+        let triangles = vec![Triangle { corners, material: 0 }];
+        let scene = Scene::of(discs).image(48, 48).camera([0.0, 0.0, 8.0], [0.0; 3], 40.0).triangles(triangles);
+        scene.build().expect("it is good")
     }
 
     #[test]

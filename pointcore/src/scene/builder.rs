@@ -3,6 +3,7 @@
 use super::disc::Disc;
 use super::error::SceneError;
 use super::file::{CameraTable, DerivedDirection, ImageTable, Light, LightDirection, LightTable, Material, SceneFile};
+use super::mesh::{Corner, Triangle};
 use super::{SPLAT_LIMIT, Scene, assemble};
 use pointcore_contract::Sampling;
 use std::path::PathBuf;
@@ -25,6 +26,7 @@ const EDGE_PX: usize = 512;
 #[derive(Debug)]
 pub struct SceneBuilder {
     discs: Vec<Disc>,
+    triangles: Vec<Triangle>,
     file: SceneFile,
 }
 
@@ -47,7 +49,7 @@ impl SceneBuilder {
             objects: Vec::new(),
             overrides: toml::Table::new(),
         };
-        Self { discs, file }
+        Self { discs, triangles: Vec::new(), file }
     }
 
     /// An image of so many pixels.
@@ -94,6 +96,13 @@ impl SceneBuilder {
         self
     }
 
+    /// Triangles in world space that are drawn before the discs, and hide what lies behind them.
+    #[must_use]
+    pub fn triangles(mut self, triangles: Vec<Triangle>) -> Self {
+        self.triangles = triangles;
+        self
+    }
+
     /// A light that stays where it is when the camera moves.
     #[must_use]
     pub fn light(mut self, light: Light) -> Self {
@@ -119,9 +128,9 @@ impl SceneBuilder {
     /// The scene.
     ///
     /// # Errors
-    /// A value makes no sense; there is no disc, or one that is nowhere, or of a material that there is none of.
+    /// A value makes no sense; there is no disc; a disc or a triangle is nowhere, or of a material that there is none of.
     pub fn build(self) -> Result<Scene, SceneError> {
-        let Self { discs, file } = self;
+        let Self { discs, triangles, file } = self;
         let value = |(key, problem): (String, String)| SceneError::Value { path: PathBuf::from(NAME), key, problem };
         assemble::check(&file).map_err(value)?;
         if discs.len() > SPLAT_LIMIT {
@@ -136,6 +145,15 @@ impl SceneBuilder {
             let problem = format!("is {:?}: expected finite numbers and a material below {materials}", discs[index]);
             return Err(value((format!("discs.{index}"), problem)));
         }
-        assemble::assemble(file, (discs, Vec::new()), &[], Vec::new()).map_err(value)
+        let is_good = |triangle: &Triangle| {
+            let is_finite = |corner: &Corner| corner.place.is_finite() && corner.normal.is_finite();
+            triangle.corners.iter().all(is_finite) && usize::from(triangle.material) < materials
+        };
+        if let Some(index) = triangles.iter().position(|triangle| !is_good(triangle)) {
+            let problem =
+                format!("is {:?}: expected finite numbers and a material below {materials}", triangles[index]);
+            return Err(value((format!("triangles.{index}"), problem)));
+        }
+        assemble::assemble(file, (discs, triangles), &[], Vec::new()).map_err(value)
     }
 }
