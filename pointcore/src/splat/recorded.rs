@@ -14,11 +14,15 @@ use pointcore_golden::unit::{Ported, Unit};
 use pointcore_tb::lockstep::{Flow, Stall, Stimulus};
 
 /// Runs of ordinary frames, each with what is in it: paces of streams, and discs that overlap more, or less.
-const RUNS: [(Stall, Place, u32); 4] = [
+const RUNS: [(Stall, Place, u32); 8] = [
     (Stall::Random(0.2), place(0.2, -4.0), 40),
     (Stall::Varied, place(0.5, -3.0), 20),
     (Stall::Varied, place(0.1, -5.0), 60),
     (Stall::Random(0.4), place(0.8, -3.0), 20),
+    (Stall::Never, place(0.6, -4.0), 240),
+    (Stall::Varied, place(0.3, -3.5), 120),
+    (Stall::Random(0.1), place(0.9, -4.5), 240),
+    (Stall::Random(0.5), place(0.2, -2.5), 40),
 ];
 /// Streams that hardly move in a run, in which a few large discs cover tiles.
 const HELD: [usize; 3] = [DATA, READ, WRITE];
@@ -30,6 +34,9 @@ const RUN_CYCLES: u64 = 5000;
 const SMALL: Place = place(0.05, -4.5);
 /// The scene is near the first tile, for tiles leave the core in their order.
 const LENS: Lens = Lens { scale: [240.0, 260.0], origin: [28.0, 26.0] };
+/// A heap that holds so few copies is filled several times.
+const SMALL_HEAP: u32 = 64;
+const HEAP_RUNS: u64 = 3;
 /// Cycles in which a copy that another one follows leaves the heap again.
 const COPY_CYCLES: u64 = 16;
 /// Cycles of the reset before a run.
@@ -57,7 +64,8 @@ pub fn record(config: &Config, core: &SplatCore) -> Recording {
     for stream in HELD {
         recorder.hold(stream);
     }
-    recorder.fill_the_heap();
+    let small = if config.heap_capacity() <= SMALL_HEAP { HEAP_RUNS } else { 1 };
+    (0..small).for_each(|seed| recorder.fill_the_heap(seed));
     recorder.recording
 }
 
@@ -111,13 +119,17 @@ impl<'a> Recorder<'a> {
     }
 
     /// More copies than the heap holds, while memory takes nothing: tiles cannot go, and copies have to wait.
-    fn fill_the_heap(&mut self) {
+    fn fill_the_heap(&mut self, seed: u64) {
         let config = self.config;
-        let random = &mut Rng::with_seed(0);
+        let random = &mut Rng::with_seed(seed);
         let splats = config.heap_capacity() * 5 / 4;
         let interval = u64::from(config.setup_interval.max(config.transform_interval).max(config.heap_interval));
         let held = u64::from(splats) * interval;
-        let paces = Paces::in_turns(streams(config), None).after(WRITE, held);
+        let paces = match seed {
+            0 => Paces::in_turns(streams(config), None),
+            _ => Paces::alike(streams(config), Stall::Random(0.5), random),
+        };
+        let paces = paces.after(WRITE, held);
         let frames = vec![about(SMALL, config, splats, LENS, random)];
         self.run(Script { frames, paces, latency: 1, resets: vec![] }, held + u64::from(splats) * COPY_CYCLES);
     }
