@@ -148,7 +148,7 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module search_axi_test;
-    localparam WORDS = 18764, ANSWERS = 10;
+    localparam WORDS = 19969, ANSWERS = 10;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 8, EVENT_BITS = 1;
@@ -633,7 +633,7 @@ module search_axi_test;
 
     // The script. What it hands to the channels shows in the next cycle.
     reg [31:0] word, value;
-    integer polls = 0;
+    integer polls = 0, polls_before = 0;
     integer packets_dropped = 0;
     reg [31:0] errors_before = 32'd0, misplaced_before = 32'd0;
     wire [31:0] memory_errors = all_memory_errors - errors_before;
@@ -730,7 +730,7 @@ module search_axi_test;
         begin
             push_read(12'h008, 10'b1000, 32'd0);
             polls = polls + 1;
-            if (polls > STUCK_POLLS) $fatal(1, "FAILED: status stays %h", last_value);
+            if (polls - polls_before > STUCK_POLLS) $fatal(1, "FAILED: status stays %h", last_value);
             settle;
         end
     endtask
@@ -794,7 +794,10 @@ module search_axi_test;
                     end
                 end
                 8'd10: while (packets_left > word[31:8]) @(negedge clk);
-                8'd11: while (!irq) @(negedge clk);
+                8'd11: begin  // Wait for the interrupt, which comes after some cycles in which nothing moves.
+                    while (!irq) @(negedge clk);
+                    if (still < word[31:8]) $fatal(1, "FAILED: irq is high %0d cycles after something moved; word %0d", still, at);
+                end
                 8'd12: begin  // Hold packets from a beat on.
                     holds <= word[8];
                     held_beat <= word[31:16];
@@ -808,6 +811,7 @@ module search_axi_test;
                 end
                 8'd16: begin  // Wait until bits of `status` are low.
                     settle;
+                    polls_before = polls;
                     poll;
                     while ((last_value[3:0] & word[11:8]) != 0) poll;
                 end
@@ -834,6 +838,7 @@ module search_axi_test;
                     errors_before <= all_memory_errors;
                     misplaced_before <= all_misplaced;
                 end
+                8'd24: rst <= 1'b1;  // Reset, until it ends.
                 8'd32: begin  // Write through the window.
                     while (bursts_asked - bursts_answered >= 8) @(negedge clk);
                     pass;

@@ -3,14 +3,36 @@
 /// Channels whose pauses a script sets by name, by their numbers in the bench.
 #[derive(Clone, Copy, Debug)]
 pub enum Channel {
+    /// Addresses of registers to be written.
+    WriteAddress = 0,
+    /// What is written to them.
+    WriteValue = 1,
+    /// Answers to that.
+    Written = 2,
+    /// Addresses of registers to be read.
+    ReadAddress = 3,
+    /// What is read from them.
+    ReadValue = 4,
     /// Packets from the core.
     Receive = 6,
+    /// Bursts wanted of memory.
+    ReadBurst = 7,
     /// Beats of memory.
     ReadData = 8,
     /// Data through the window.
     WindowData = 10,
-    /// Answers to bursts that are written.
+    /// Bursts that are written.
+    WriteBurst = 16,
+    /// Their beats.
+    WriteData = 17,
+    /// Answers to them.
     WriteAnswer = 18,
+}
+
+impl Channel {
+    /// Those of packets and memory, each of which may be narrower than all others.
+    pub const NARROW: [Self; 6] =
+        [Self::Receive, Self::ReadBurst, Self::ReadData, Self::WriteBurst, Self::WriteData, Self::WriteAnswer];
 }
 
 /// How often channels pause.

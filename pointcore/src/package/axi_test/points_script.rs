@@ -31,6 +31,8 @@ const QUERIES: usize = 16;
 const ITERATIONS: u32 = 3;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 4;
+/// Cycles of a reset.
+const RESET_CYCLES: u32 = 5;
 /// Cycles in which what is under way comes to rest.
 const SETTLE_CYCLES: u32 = 300;
 const SIZE: u32 = WORD_BYTES.ilog2();
@@ -321,6 +323,7 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
         registers::check_reset(&mut script, &map);
         registers::check_accesses(&mut script, &map);
     }
+    registers::check_late(&mut script, &map);
     let mut host = Host { control: Control { script: &mut script, map: &map }, config, world: &world };
     host.enter();
     host.run(Pauses::None);
@@ -330,6 +333,11 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     host.give_unasked();
     host.send_broken();
     (0..ABORTS).for_each(|_| host.abort_somewhere());
+    host.run(Pauses::Some);
+    registers::start_after_reset(host.control.script, &map);
+    host.control.script.reset(RESET_CYCLES);
+    registers::check_reset(host.control.script, &map);
+    host.enter();
     host.run(Pauses::Some);
     Ok(script)
 }

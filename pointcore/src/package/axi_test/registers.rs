@@ -1,9 +1,10 @@
 //! What a host tries on the registers of either core: every one of them, every access that is refused, and the counters of it.
 
-use super::operations::Refusal;
+use super::operations::{Channel, Pauses, Refusal};
 use super::script::Script;
 use pointcore_contract::bus::config::REGISTER_BITS;
 use pointcore_contract::bus::registers::{CONTROL, INTERRUPT_ENABLE};
+use pointcore_contract::bus::units::QUIET_CYCLES;
 use pointcore_contract::bus::{Access, Register, RegisterKind};
 
 /// The last word of the registers' addresses.
@@ -17,6 +18,10 @@ pub const ABORT: u32 = 8;
 pub const BUSY: u32 = 1;
 pub const DONE: u32 = 2;
 pub const WAITING: u32 = 8;
+/// Cycles of a reset.
+const RESET_CYCLES: u32 = 5;
+/// A channel that all others wait for.
+const LATE: u8 = 200;
 /// Values with bits in all places.
 const PATTERNS: [u32; 6] = [0x5555_5555, 0xaaaa_aaaa, 0x0f0f_f0f0, 0x3333_cccc, u32::MAX, 0];
 
@@ -147,6 +152,33 @@ fn keep_apart(script: &mut Script, map: &[Register]) {
     for register in held(map) {
         script.write(register.address, sensible(register, 0));
     }
+}
+
+/// Addresses, values and answers that wait for each other stay as they are.
+pub fn check_late(script: &mut Script, map: &[Register]) {
+    let channels =
+        [Channel::WriteAddress, Channel::WriteValue, Channel::Written, Channel::ReadAddress, Channel::ReadValue];
+    for channel in channels {
+        script.pauses(Pauses::None);
+        script.share(channel, LATE);
+        keep_apart(script, map);
+    }
+}
+
+/// A run that begins right after a reset, and is ended at once: what may have been under way before is not, and the end waits for
+/// the buses.
+pub fn start_after_reset(script: &mut Script, map: &[Register]) {
+    script.pauses(Pauses::None);
+    script.begin_reset();
+    let queries = map.iter().find(|register| register.kind == RegisterKind::Queries);
+    queries.into_iter().for_each(|queries| script.begin_write(queries.address, 1));
+    script.begin_write(CONTROL, START);
+    script.reset(RESET_CYCLES);
+    script.sync();
+    script.write(INTERRUPT_ENABLE, 1);
+    script.write(CONTROL, ABORT);
+    script.wait_interrupt_after(QUIET_CYCLES);
+    script.errors(DONE);
 }
 
 /// Commands that make no sense do nothing at all; others do without a run what they say.

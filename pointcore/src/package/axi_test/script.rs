@@ -249,7 +249,12 @@ impl Script {
 
     /// Waits for the interrupt.
     pub fn wait_interrupt(&mut self) {
-        self.operation(11, 0, &[]);
+        self.wait_interrupt_after(0);
+    }
+
+    /// Waits for the interrupt, before which nothing must have moved for some cycles.
+    pub fn wait_interrupt_after(&mut self, still_cycles: u32) {
+        self.operation(11, still_cycles, &[]);
     }
 
     /// Holds packets back from a beat on; without a beat, no longer.
@@ -277,6 +282,11 @@ impl Script {
     /// The level of the interrupt.
     pub fn interrupt(&mut self, level: u32) {
         self.operation(17, level, &[]);
+    }
+
+    /// The core is in reset from here on: what is asked for until its end waits for that.
+    pub fn begin_reset(&mut self) {
+        self.operation(24, 0, &[]);
     }
 
     /// Resets the core for some cycles.

@@ -37,6 +37,7 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     registers::check_accesses(&mut script, &map);
     script.pauses(Pauses::Some);
     registers::check_accesses(&mut script, &map);
+    registers::check_late(&mut script, &map);
 
     let mut host = Host::new(&mut script, config, &map, &searches);
     if config.tree_cache == 0 {
@@ -65,6 +66,7 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     if config.neighbor_cache > 0 {
         host.run_cached();
     }
+    registers::start_after_reset(host.control.script, &map);
     host.control.script.reset(RESET_CYCLES);
     registers::check_reset(host.control.script, &map);
     host.enter(1);

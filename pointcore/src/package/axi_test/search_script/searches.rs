@@ -51,11 +51,12 @@ impl Searches {
             .min((1_usize << config.index_bits) / config.lanes as usize / 2);
         // Of the numbers of points near the wanted one, the first whose tree has a leaf of one beat.
         let mut points = PointSet::new(config.geometry, &[[0.0; 3]])?;
-        let mut tree = Tree::build(config, &points, Splitting::Packed)?;
+        let mut tree = Tree::build(config, &points, Splitting::Midpoint)?;
         for count in (1..=POINTS.min(capacity)).rev() {
             let places: Vec<_> = (0..count).map(|_| [(); 3].map(|()| 2.0 * random.f32() - 1.0)).collect();
             points = PointSet::new(config.geometry, &places)?;
-            tree = Tree::build(config, &points, Splitting::Packed)?;
+            // Its leaves are as full as the points happen to lie.
+            tree = Tree::build(config, &points, Splitting::Midpoint)?;
             if short_leaf(&tree).is_some() {
                 break;
             }
@@ -162,8 +163,9 @@ impl Placement {
             let count = u32::from(leaf.bucket.beats);
             let mut candidates = (0..PLACES_TRIED).map(|_| {
                 let any = random.u32(..=beats - count);
-                // Some across a border.
-                if rank % 3 == 0 && chunk < beats { (any / chunk * chunk).saturating_sub(count / 2) } else { any }
+                // Some across a border, anywhere in them.
+                let crosses = rank % 3 == 0 && chunk < beats;
+                if crosses { (any / chunk * chunk).saturating_sub(random.u32(..count)) } else { any }
             });
             let is_free =
                 |begin: &u32| taken.iter().all(|(other, length)| begin + count <= *other || other + length <= *begin);

@@ -13,11 +13,18 @@ use pointcore_tb::lockstep::LockstepError;
 
 /// Tiles with splats: more than the core keeps, so that some leave for memory and come back.
 const TILES: usize = 7;
+/// Splats of such a tile at least, and how many more than a small heap holds: their tiles come back while a frame is drawn.
+const OF_TILE: usize = 4;
+const BEYOND_HEAP: usize = 16;
+const SMALL_HEAP: u32 = 64;
 /// Half a splat's size, and how far it lies from the middle of its tile at most.
-const RADIUS_PX: f64 = 1.2;
+const RADII_PX: [f64; 2] = [0.8, 2.2];
 const OFFSET_PX: f64 = 2.0;
-/// Where splats lie before the eye.
-const DEPTH: f64 = 5.0;
+/// Where the splats of a tile lie before the eye, and how far from each other at most: some belong to a surface, some do not.
+const DEPTHS: [f64; 2] = [3.0, 9.0];
+const THICKNESS: f64 = 0.05;
+/// Attributes are as large as that at most.
+const ATTRIBUTE: f32 = 8.0;
 /// Frames of a script.
 const FRAMES: usize = 3;
 
@@ -78,17 +85,18 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
     let mut random = Rng::with_seed(1 + number as u64);
     let camera = camera(config, number);
     let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(TILE_SIZE));
-    let splat = |place: usize| {
-        // The first and the last tile, and others.
-        let tile = match place {
-            0 => 0,
-            1 => columns * rows - 1,
-            _ => random.u32(..columns * rows),
-        };
+    // The first and the last tile, and others.
+    let others = 2..TILES.max(config.tile_slots as usize + 3);
+    let mut tiles = vec![0, columns * rows - 1];
+    tiles.extend(others.map(|_| random.u32(..columns * rows)));
+    let tiles: Vec<(u32, f64)> = tiles.into_iter().map(|tile| (tile, between(DEPTHS, &mut random))).collect();
+    let splat = |(tile, depth): &(u32, f64)| {
         let middle = [tile % columns, tile / columns].map(|tile| f64::from(tile * TILE_SIZE + TILE_SIZE / 2));
-        splat(config, &camera, middle, &mut random)
+        splat(config, &camera, middle, *depth, &mut random)
     };
-    let splats: Vec<Splat> = (0..TILES.max(config.tile_slots as usize + 3)).map(splat).collect();
+    let heap = if config.heap_capacity() <= SMALL_HEAP { config.heap_capacity() as usize + BEYOND_HEAP } else { 0 };
+    let count = heap.max(OF_TILE * tiles.len());
+    let splats: Vec<Splat> = tiles.iter().cycle().take(count).map(splat).collect();
     EncodedFrame {
         records: splats.into_iter().chain([END]).collect(),
         uniforms: uniforms(&camera, &rendering(config, number), config),
@@ -96,13 +104,18 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
     }
 }
 
-/// A splat near a place in the picture that faces the eye.
-fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], random: &mut Rng) -> Splat {
+fn between([low, high]: [f64; 2], random: &mut Rng) -> f64 {
+    low + (high - low) * random.f64()
+}
+
+/// A splat near a place in the picture that faces the eye, at a depth or a little behind it.
+fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], depth: f64, random: &mut Rng) -> Splat {
     let mut offset = || (2.0 * random.f64() - 1.0) * OFFSET_PX;
     let [x, y] = [column + offset(), row + offset()];
-    let depth = DEPTH + random.f64();
+    let depth = depth + THICKNESS * random.f64();
+    let radius_px = between(RADII_PX, random);
     let eye = [(x - camera.center_x) / camera.scale_x * depth, (y - camera.center_y) / camera.scale_y * depth, depth];
-    let radius = RADIUS_PX / camera.scale_x * depth;
+    let radius = radius_px / camera.scale_x * depth;
     // From the eye's directions and places to those of the world: the matrix only turns.
     let turn = |vector: [f64; 3]| {
         [0, 1, 2].map(|axis| (0..3).map(|row| camera.model_view[row][axis] * vector[row]).sum::<f64>())
@@ -113,7 +126,7 @@ fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], random: &mut
     let tangents = [[0.0, radius, 0.0], [radius, 0.0, 0.0]].map(|tangent| vector(turn(tangent)));
     let mut attributes = Attributes::default();
     let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
-    continuous.fill_with(|| encode_attribute(config.attribute, random.f32()));
+    continuous.fill_with(|| encode_attribute(config.attribute, ATTRIBUTE * (2.0 * random.f32() - 1.0)));
     cardinals[..config.cardinal as usize].fill(1);
     Splat { center, tangents, motion: motion(config, random), attributes, ..Splat::default() }
 }

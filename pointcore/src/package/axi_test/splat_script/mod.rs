@@ -3,7 +3,7 @@
 mod frames;
 mod runs;
 
-use super::operations::Pauses;
+use super::operations::{Channel, Pauses};
 use super::registers;
 use super::script::Script;
 use crate::splat::SplatCore;
@@ -18,6 +18,8 @@ use runs::Host;
 const SEED: u64 = 1;
 /// Cycles of a reset.
 const RESET_CYCLES: u32 = 5;
+/// Runs with pauses, all different.
+const PAUSING: u32 = 4;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 4;
 
@@ -41,11 +43,13 @@ pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError
     registers::check_accesses(&mut script, &map);
     script.pauses(Pauses::Some);
     registers::check_accesses(&mut script, &map);
+    registers::check_late(&mut script, &map);
 
     let mut host = Host::new(&mut script, config, &map, &frames);
     host.enter(0);
     host.run(Pauses::None);
-    host.run(Pauses::Some);
+    (0..PAUSING).for_each(|_| host.run(Pauses::Some));
+    Channel::NARROW.into_iter().for_each(|channel| host.run_narrow(channel));
     host.run_silently();
     host.run_disturbed();
     host.run_spoilt();
@@ -57,6 +61,7 @@ pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError
     host.abort_held();
     (0..ABORTS).for_each(|_| host.abort_somewhere());
     host.run(Pauses::None);
+    registers::start_after_reset(host.control.script, &map);
     host.control.script.reset(RESET_CYCLES);
     registers::check_reset(host.control.script, &map);
     host.enter(0);

@@ -27,6 +27,8 @@ const SETTLE_CYCLES: u32 = 600;
 const CLEAR_CYCLES: u32 = 100;
 /// Cycles of the longest run.
 const LONG_RUN_CYCLES: u32 = 70_000;
+/// A channel hardly moves.
+const HARDLY: u8 = 248;
 /// Nothing but holds a channel back.
 const ALWAYS: u8 = 255;
 
@@ -138,9 +140,21 @@ impl<'a> Host<'a> {
         self.control.script.wait(SETTLE_CYCLES);
     }
 
-    /// A whole frame, whose splats wait for its start.
+    /// A whole frame.
     pub fn run(&mut self, pauses: Pauses) {
         self.control.script.pauses(pauses);
+        self.run_all();
+    }
+
+    /// A whole frame in which one channel hardly moves, and what is before it fills.
+    pub fn run_narrow(&mut self, channel: Channel) {
+        self.control.script.pauses(Pauses::None);
+        self.control.script.share(channel, HARDLY);
+        self.run_all();
+    }
+
+    /// A whole frame, whose splats wait for its start.
+    fn run_all(&mut self) {
         self.send_all();
         self.settle();
         self.control.script.check_quiet(0);
