@@ -20,18 +20,28 @@ const WRITES_MAX: u32 = 16;
 /// `INCR`.
 const INCREMENTING: u8 = 1;
 const SLAVE_ERROR: u64 = 2;
+/// A share of idle cycles such that hardly anything moves.
+const HARDLY: f64 = 0.98;
 
 fn pixels() -> splat::Config {
     splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() }
 }
 
-/// Writes records; returns cycles and beats.
+/// What came of an exchange.
+struct Exchange {
+    cycles: u64,
+    beats: u64,
+    /// Records at a time at most that were not answered.
+    unanswered: u32,
+}
+
+/// Writes records.
 fn exchange(
     config: &splat::Config,
     memory_bits: u32,
     seed: u64,
     mut pattern: impl FnMut(&mut fastrand::Rng) -> Stalls,
-) -> (u64, u64) {
+) -> Exchange {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(writer::module::<Pixel>(config, memory_bits), seed);
     let ports = Ports::<Pixel>::ALL;
@@ -55,6 +65,7 @@ fn exchange(
         bursts.push_back(burst);
     }
     let total = beats.len() as u64;
+    let mut unanswered = 0;
     let (mut addressed, mut sent, mut answerable, mut accepted, mut answered) = (0, 0, 0, 0u32, 0);
     let (mut errors, mut errors_due) = (0, 0);
     while answered < RECORDS {
@@ -70,6 +81,7 @@ fn exchange(
             errors_due += u64::from(item[1] != 0);
         }
         assert!(accepted - answered <= WRITES_MAX);
+        unanswered = unanswered.max(accepted - answered);
         if let Some(burst) = address.taken(&bench) {
             let Burst { address: first, beats } = bursts.pop_front().unwrap();
             let (length, size) = ((beats - 1) as u8, beat_bytes.ilog2() as u8);
@@ -96,7 +108,7 @@ fn exchange(
     errors += bench.get("error");
     assert_eq!((errors, bench.get("idle")), (errors_due, 1));
     assert!(errors > 5, "{errors} errors");
-    (cycles, total)
+    Exchange { cycles, beats: total, unanswered }
 }
 
 #[test]
@@ -109,10 +121,20 @@ fn every_record_is_a_burst() {
 }
 
 #[test]
+fn it_waits_for_a_memory_that_owes_it_many_answers() {
+    for memory_bits in [32, 64, 512] {
+        let mut channels = [Stall::Never, Stall::Never, Stall::Never, Stall::Random(HARDLY)].into_iter();
+        let each = |random: &mut fastrand::Rng| Stalls::new(channels.next().unwrap(), random.fork());
+        let most = exchange(&pixels(), memory_bits, 1, each).unanswered;
+        assert_eq!(most, WRITES_MAX);
+    }
+}
+
+#[test]
 fn it_sends_a_beat_in_every_cycle() {
     let never = |_: &mut fastrand::Rng| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
     for memory_bits in [32, 64, 512] {
-        let (cycles, beats) = exchange(&pixels(), memory_bits, 1, never);
+        let Exchange { cycles, beats, .. } = exchange(&pixels(), memory_bits, 1, never);
         assert!(cycles <= beats + 8, "{cycles} cycles for {beats} beats");
     }
 }
