@@ -5,13 +5,13 @@ use std::collections::{HashMap, VecDeque};
 use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::{Depth, DepthRun, Fragment, StoredDepth};
 use pointcore_contract::splat::{Config, Feature, units};
-use pointcore_contract::{Format, Record, Words, read, words};
+use pointcore_contract::{Format, words};
 use pointcore_golden::splat::Merge;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::merge;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
-use crate::splat::{Device, configs, scene};
+use crate::splat::{Device, configs, moved, offer, scene};
 
 const SEEDS: u64 = 6;
 /// Surfaces one after the other, and tiles of each.
@@ -146,26 +146,15 @@ impl Around {
             stalls: kinds[seed as usize % kinds.len()].map(|stall| Stalls::new(stall, random.fork())),
         }
     }
-
-    /// The record that a stream moves in this cycle.
-    fn moved<R: Record<Domain = Words, Config = Config>>(
-        &self,
-        stream: &StreamPorts,
-        inputs: &[u64],
-        outputs: &[u64],
-    ) -> Option<R> {
-        let fields: Vec<_> = stream.fields.iter().map(|&field| outputs[field]).collect();
-        stream.transfers(inputs, outputs).then(|| read(&self.config, &fields))
-    }
 }
 
 impl Stimulus for Around {
     fn drive(&mut self, _cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
-        self.received.extend(self.moved::<Fragment>(&self.out, inputs, outputs));
-        if let Some(StoredDepth { tile, pixel, value }) = self.moved(&self.writes, inputs, outputs) {
+        self.received.extend(moved::<Fragment>(&self.config, &self.out, inputs, outputs));
+        if let Some(StoredDepth { tile, pixel, value }) = moved(&self.config, &self.writes, inputs, outputs) {
             self.depths.insert((tile, pixel.into()), value.depth);
         }
-        if let Some(DepthRun { tile, pixel, count }) = self.moved(&self.reads, inputs, outputs) {
+        if let Some(DepthRun { tile, pixel, count }) = moved(&self.config, &self.reads, inputs, outputs) {
             let depths = (pixel..pixel + count).map(u32::from).map(|pixel| {
                 let stored = self.depths.get(&(tile, pixel)).copied();
                 Depth { depth: stored.unwrap_or_else(|| initial(&self.config, tile, pixel)) }
@@ -190,12 +179,6 @@ impl Stimulus for Around {
         }
         if self.received.len() == self.expected { Flow::Done } else { Flow::Continue }
     }
-}
-
-/// Shows a record at an input, or none.
-fn offer(stream: &StreamPorts, inputs: &mut [u64], record: Option<Vec<u64>>) {
-    inputs[stream.valid] = u64::from(record.is_some());
-    stream.fields.iter().zip(record.into_iter().flatten()).for_each(|(&field, value)| inputs[field] = value);
 }
 
 #[test]

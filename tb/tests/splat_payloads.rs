@@ -11,7 +11,7 @@ use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::payloads;
 use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
-use crate::splat::{Device, configs, scene};
+use crate::splat::{Device, configs, offer, scene};
 
 const SPLATS: u32 = 400;
 const SEEDS: u64 = 12;
@@ -152,12 +152,6 @@ impl Stimulus for Shuffled {
         inputs[out_ready] = u64::from(!sink);
         if self.received.len() + self.ends == self.count { Flow::Done } else { Flow::Continue }
     }
-}
-
-/// Shows a record at an input, or none.
-fn offer(stream: &StreamPorts, inputs: &mut [u64], record: Option<Vec<u64>>) {
-    inputs[stream.valid] = u64::from(record.is_some());
-    stream.fields.iter().zip(record.into_iter().flatten()).for_each(|(&field, value)| inputs[field] = value);
 }
 
 /// Splats of noise with a few copies, some with one for each tile; here and there the end of a frame, once two of them.

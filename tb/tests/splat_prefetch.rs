@@ -3,13 +3,13 @@
 use pointcore_contract::splat::config::PayloadStore;
 use pointcore_contract::splat::records::{PayloadPlace, TileCopy};
 use pointcore_contract::splat::{Config, units};
-use pointcore_contract::{Record, Words, read, words};
+use pointcore_contract::words;
 use pointcore_golden::splat::Prefetch;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::prefetch;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
-use crate::splat::{Device, configs, scene};
+use crate::splat::{Device, configs, moved, offer, scene};
 
 const COPIES: usize = 1200;
 const SEEDS: u64 = 12;
@@ -62,17 +62,6 @@ impl Around {
         }
     }
 
-    /// The record that a stream moves in this cycle.
-    fn moved<R: Record<Domain = Words, Config = Config>>(
-        &self,
-        stream: &StreamPorts,
-        inputs: &[u64],
-        outputs: &[u64],
-    ) -> Option<R> {
-        let fields: Vec<_> = stream.fields.iter().map(|&field| outputs[field]).collect();
-        stream.transfers(inputs, outputs).then(|| read(&self.config, &fields))
-    }
-
     /// Payloads that were asked for and have not left.
     fn under_way(&self) -> usize {
         self.asked.len() - self.gone
@@ -81,15 +70,13 @@ impl Around {
 
 impl Stimulus for Around {
     fn drive(&mut self, _cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
-        self.received.extend(self.moved::<TileCopy>(&self.out, inputs, outputs));
-        self.asked.extend(self.moved::<PayloadPlace>(&self.reads, inputs, outputs));
+        self.received.extend(moved::<TileCopy>(&self.config, &self.out, inputs, outputs));
+        self.asked.extend(moved::<PayloadPlace>(&self.config, &self.reads, inputs, outputs));
         self.most = self.most.max(self.under_way());
         let [source, sink, reads, leaves] = self.stalls.each_mut().map(Stalls::stalled);
         if !self.input.offers(inputs, outputs) || self.input.transfers(inputs, outputs) {
             let copy = if source { None } else { self.copies.next() };
-            inputs[self.input.valid] = u64::from(copy.is_some());
-            let fields = copy.into_iter().flat_map(|copy| words(&self.config, copy));
-            self.input.fields.iter().zip(fields).for_each(|(&field, value)| inputs[field] = value);
+            offer(&self.input, inputs, copy.map(|copy| words(&self.config, copy)));
         }
         for (stream, stalled) in [(&self.out, sink), (&self.reads, reads)] {
             inputs[stream.ready.expect("the stream has one")] = u64::from(!stalled);

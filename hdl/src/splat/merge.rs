@@ -20,9 +20,10 @@ impl Place {
     fn of(fragment: &Fragment<Wires>) -> Self {
         let Fragment { column, row, .. } = *fragment;
         let tile_of = |place: Expr| place.bits(place.width() - 1, LOCAL_BITS);
-        let [tile, pixel] =
-            [cat([tile_of(row), tile_of(column)]), cat([row.trunc(LOCAL_BITS), column.trunc(LOCAL_BITS)])];
-        Self { tile, pixel }
+        Self {
+            tile: cat([tile_of(row), tile_of(column)]),
+            pixel: cat([row.trunc(LOCAL_BITS), column.trunc(LOCAL_BITS)]),
+        }
     }
 }
 

@@ -12,7 +12,7 @@ use pointcore_contract::splat::records::Fragment;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Direction, Format, FragmentDepth, Interface, Record, Sampling, Words, fields, read, words};
 use pointcore_golden::unit::{Model, Ported, Unit};
-use pointcore_tb::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, seeds};
+use pointcore_tb::lockstep::{Golden, Lockstep, Run, Stall, StreamPorts, StreamTestbench, seeds};
 use pointcore_tb::verilated::Library;
 use rtl::Module;
 
@@ -39,6 +39,23 @@ pub fn stalls(seed: u64) -> Stall {
 /// Puts fragments in an order that does not hang on stalls: tiles come in any.
 pub fn in_order(config: &Config, fragments: &mut [Fragment]) {
     fragments.sort_unstable_by_key(|fragment| words(config, *fragment));
+}
+
+/// The record that a stream of a unit moves in this cycle.
+pub fn moved<R: Record<Domain = Words, Config = Config>>(
+    config: &Config,
+    stream: &StreamPorts,
+    inputs: &[u64],
+    outputs: &[u64],
+) -> Option<R> {
+    let fields: Vec<_> = stream.fields.iter().map(|&field| outputs[field]).collect();
+    stream.transfers(inputs, outputs).then(|| read(config, &fields))
+}
+
+/// Shows a record at an input, or none.
+pub fn offer(stream: &StreamPorts, inputs: &mut [u64], record: Option<Vec<u64>>) {
+    inputs[stream.valid] = u64::from(record.is_some());
+    stream.fields.iter().zip(record.into_iter().flatten()).for_each(|(&field, value)| inputs[field] = value);
 }
 
 /// Silence that ends a run: longer than any pipeline.
