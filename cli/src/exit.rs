@@ -82,7 +82,10 @@ const fn vectors(error: &VectorsError) -> u8 {
         VectorsError::Frame(error) => lockstep(error),
         VectorsError::Generate(_) => TOOL,
         VectorsError::Search(error) => search(error),
-        VectorsError::Base(_) | VectorsError::Space { .. } | VectorsError::Numbers { .. } => INPUT,
+        VectorsError::Base(_)
+        | VectorsError::Surfaces(_)
+        | VectorsError::Space { .. }
+        | VectorsError::Numbers { .. } => INPUT,
     }
 }
 

@@ -20,6 +20,11 @@ pub enum VectorsError {
     /// A place in memory where nothing can begin.
     #[error("the memory's base is {0:#x}: expected a multiple of {BORDER_BYTES:#x} that fits 32 bits")]
     Base(u64),
+    /// A frame of several surfaces.
+    #[error(
+        "{0} surfaces, of which each has a start of its own on the bus, and vectors are of one: leave out `splatting.surfaces`"
+    )]
+    Surfaces(usize),
     /// More memory than addresses.
     #[error("{name} of {bytes} bytes from {base:#x} on goes beyond the 32 bits of an address: choose a lower base")]
     Space {

@@ -12,12 +12,15 @@ use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, Splat, Uniforms, payload_bytes};
 use pointcore_contract::{fields, words};
 
-/// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end of a surface
-/// last.
+/// A frame, with the reconstruction buffer at `base`. Fragments of a tile come in the order of the vectors, tiles in any, and the end last.
 ///
 /// # Errors
-/// The buffer has no place, or the golden model does not come to its end.
+/// The frame has several surfaces, the buffer has no place, or the golden model does not come to its end.
 pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, VectorsError> {
+    let surfaces = frame.records.iter().filter(|record| record.end).count();
+    if surfaces > 1 {
+        return Err(VectorsError::Surfaces(surfaces));
+    }
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
     let bytes = u64::from(TILE_PIXELS * stride) * config.buffer_tiles() as u64;
     let mut space = AddressSpace::new(base)?;
@@ -26,9 +29,11 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
     let payload_base = payloads.as_ref().map(|regions| ("payload_base", regions[0].base));
     let depths = if config.merge.is_on() { Some(depths(config, frame, &mut space)?) } else { None };
     let depth_base = depths.as_ref().map(|regions| ("depth_base", regions[0].base));
-    let fragments = fragments(config, frame)?;
+    let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
+
     let splats = frame.records.iter().map(|splat| words(config, *splat));
-    let fragments = fragments.into_iter().map(|fragment| words(config, fragment));
+    let end = Fragment { end: true, ..Fragment::default() };
+    let fragments = fragments.into_iter().chain([end]).map(|fragment| words(config, fragment));
     let uniforms = fields::<Uniforms>(config).into_iter().zip(words(config, frame.uniforms));
     let uniforms: Vec<_> = uniforms.map(|(field, value)| (field.name, value as u32)).collect();
     let uniforms = uniforms.iter().map(|(name, value)| (name.as_str(), *value));
@@ -46,20 +51,6 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
             .chain([payloads, depths].into_iter().flatten().flatten())
             .collect(),
     })
-}
-
-/// The fragments of a frame, those of each of its surfaces with their end.
-fn fragments(config: &Config, frame: &EncodedFrame) -> Result<Vec<Fragment>, VectorsError> {
-    let core = SplatCore::generate(config)?;
-    let mut depths = frame.depths.clone().unwrap_or_else(|| Depths::new(config, |_, _| None));
-    let mut fragments = vec![];
-    for records in frame.records.split_inclusive(|record| record.end) {
-        let surface = EncodedFrame { records: records.to_vec(), depths: None, ..frame.clone() };
-        let all = SplatRunner::new(config, &surface).golden(&core)?.fragments;
-        fragments.extend(if config.merge.is_on() { depths.merge(config, &all) } else { all });
-        fragments.push(Fragment { end: true, ..Fragment::default() });
-    }
-    Ok(fragments)
 }
 
 /// A region in which nothing lies.
