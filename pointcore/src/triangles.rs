@@ -70,12 +70,15 @@ impl Layer {
     /// Draws the triangles of a scene, if it has any, as the camera sees them.
     #[must_use]
     pub fn of(scene: &Scene) -> Option<Self> {
+        if scene.triangles.is_empty() {
+            return None;
+        }
         let Rendering { width, height, .. } = scene.rendering;
         let mut layer = Self { width, pixels: vec![None; width * height] };
         for triangle in &scene.triangles {
             layer.draw(triangle, &scene.camera, scene.rendering.sampling);
         }
-        (!scene.triangles.is_empty()).then_some(layer)
+        Some(layer)
     }
 
     fn draw(&mut self, triangle: &Triangle, camera: &Camera, sampling: Sampling) {

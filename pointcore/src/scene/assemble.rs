@@ -11,6 +11,7 @@ use glam::DVec3;
 use pointcore_contract::splat::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
 use pointcore_contract::{Camera, Rendering, Sampling, Splat};
 use pointcore_golden::reference::motion::Method;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The share of a splat's radius by which surfaces may lie apart in depth and still blend. Neighboring splats of a
@@ -101,7 +102,11 @@ pub(super) fn assemble(
         return Err(("splatting.surfaces".to_owned(), problem.to_owned()));
     }
     // What cameras are to see, and coordinates to count from, are corners of triangles, too.
-    let seen_still: Vec<Disc> = discs.iter().cloned().chain(triangles.iter().flat_map(Triangle::extent)).collect();
+    let seen_still = if triangles.is_empty() {
+        Cow::Borrowed(&discs[..])
+    } else {
+        discs.iter().cloned().chain(triangles.iter().flat_map(Triangle::extent)).collect()
+    };
     let placement = Placement::of(&seen_still);
     let splats: Vec<Splat> = discs.iter().map(|disc| placement.splat(disc)).collect();
     // Where a camera looks for discs: a moving scene's lie along their ways.
