@@ -1,5 +1,6 @@
 //! Objects that are drawn as triangles beside splats: the faces of a file, or a plane.
 
+use super::SPLAT_LIMIT;
 use super::camera::Problem;
 use super::disc::{Disc, Placement};
 use super::error::SceneError;
@@ -9,6 +10,9 @@ use super::normals;
 use super::object::{DEFAULT_COLOR, Posture, linear, positive, required};
 use glam::{DVec2, DVec3};
 use std::path::Path;
+
+/// Twice as many as the largest scan of splats: a mesh has as many faces to its vertices.
+pub(super) const TRIANGLE_LIMIT: usize = 2 * SPLAT_LIMIT;
 
 /// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,7 +118,12 @@ fn plane(object: &ObjectTable) -> Result<Vec<[Corner; 3]>, Problem> {
     let size = positive(required(object.size, "size", Kind::Plane)?, "size")?;
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
     let other = linear(object.checker_color.or(object.color).unwrap_or(DEFAULT_COLOR));
-    let [columns, rows] = object.checks.unwrap_or([1, 1]);
+    // No checks along an edge are one.
+    let [columns, rows] = object.checks.unwrap_or_default().map(|checks| checks.max(1));
+    let count = 2 * u64::from(columns) * u64::from(rows);
+    if count > TRIANGLE_LIMIT as u64 {
+        return Err(("checks", format!("make {count} triangles: expected up to {TRIANGLE_LIMIT}")));
+    }
     let quads = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
     let quad = |(column, row): (u32, u32)| {
         let color = if (column + row) % 2 == 0 { color } else { other };

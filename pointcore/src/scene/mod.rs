@@ -33,6 +33,7 @@ pub use shapes::trefoil;
 
 use file::{Draw, SceneFile};
 use glam::DVec3;
+use mesh::TRIANGLE_LIMIT;
 use pointcore_contract::surface::NORMAL;
 use pointcore_contract::{Camera, Rendering, Splat};
 use std::ops::Range;
@@ -107,9 +108,13 @@ impl Scene {
                 Draw::Triangles => triangles.extend(mesh::build(object, path, &key)?),
             }
             spans.push(first..discs.len());
-            if discs.len() > SPLAT_LIMIT {
-                let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", discs.len());
-                return Err(value((key, problem)));
+            for (count, limit, what) in
+                [(discs.len(), SPLAT_LIMIT, "splats"), (triangles.len(), TRIANGLE_LIMIT, "triangles")]
+            {
+                if count > limit {
+                    let problem = format!("brings the scene to {count} {what}: expected up to {limit}");
+                    return Err(value((key, problem)));
+                }
             }
         }
         assemble::assemble(file, (discs, triangles), &spans, notes).map_err(value)

@@ -278,7 +278,10 @@ const FLOOR: &str = "[[object]]\nkind = \"plane\"\ndraw = \"triangles\"\nsize = 
 
 #[test]
 fn objects_of_triangles_stand_beside_those_of_splats() {
-    let both = load(&format!("{SPHERE}{FLOOR}"), &[]).expect("the scene is good");
+    let both_text = format!("{SPHERE}{FLOOR}");
+    let both = load(&both_text, &[]).expect("the scene is good");
+    let striped = load(&both_text.replace("[2, 3]", "[0, 3]"), &[]).expect("the scene is good");
+    assert_eq!(striped.triangles.len(), 2 * 3, "no checks along an edge are one");
     assert_eq!((both.splats.len(), both.triangles.len()), (500, 2 * 2 * 3));
     let corners = both.triangles.iter().flat_map(|triangle| triangle.corners);
     assert!(corners.clone().all(|corner| corner.place.y == -1.0 && corner.normal == DVec3::Y));
@@ -292,6 +295,7 @@ fn objects_of_triangles_stand_beside_those_of_splats() {
         (alone, "`object` draws triangles alone"),
         (moves, "`object.1.draw` is \"triangles\", which go with scenes that stand still"),
         (format!("{SPHERE}{FLOOR}points = 9\n"), "`object.1.points` belongs to splats"),
+        (both_text.replace("[2, 3]", "[100000, 100000]"), "`object.1.checks` make 20000000000 triangles"),
         (
             SPHERE.replace("points = 500", "draw = \"triangles\""),
             "`object.0.draw` is \"triangles\", which `file` and `plane` have",
