@@ -64,7 +64,9 @@ fn keys_of_splats(object: &ObjectTable) -> [(&'static str, bool); 6] {
 pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec<Triangle>, SceneError> {
     let value =
         |(name, problem): Problem| SceneError::Value { path: scene.to_owned(), key: format!("{key}.{name}"), problem };
-    if let Some((name, _)) = keys_of_splats(object).into_iter().find(|(_, is_given)| *is_given) {
+    // Of a model alone nobody has given them.
+    let given = keys_of_splats(object).into_iter().find(|(_, is_given)| *is_given);
+    if let Some((name, _)) = given.filter(|_| !Model::is_model(scene)) {
         let problem = "belongs to splats, but the object says `draw = \"triangles\"`: give either".to_owned();
         return Err(value((name, problem)));
     }

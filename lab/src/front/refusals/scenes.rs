@@ -36,6 +36,7 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --set image.sampling=random", "image.sampling", "`flipquad`"),
     ("run good.toml --set object.0.draw=lines", "object", "`triangles`"),
     ("run good.toml --set object.0.draw=triangles", "`object.0.", "triangles"),
+    ("run good.xyz --set object.0.draw=triangles", "good.xyz", "holds no faces"),
     ("run good.toml --set overrides.merge=on", "`overrides.merge`", "`object.draw = \"triangles\"`"),
     ("run good.toml --set splatting.surfaces=two", "splatting", "`objects`"),
     // Keys.
