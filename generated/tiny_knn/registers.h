@@ -42,8 +42,7 @@
 #define SEARCH_EVENT_POP 0x044u /* read: cycles of the run in which `event_pop` was high */
 #define SEARCH_EVENT_BEAT 0x048u /* read: cycles of the run in which `event_beat` was high */
 #define SEARCH_EVENT_INSERT 0x04cu /* read: cycles of the run in which `event_insert` was high */
-#define SEARCH_EVENT_INSERT_WAIT 0x050u /* read: cycles of the run in which `event_insert_wait` was high */
-#define SEARCH_EVENT_THREAD_WAIT 0x054u /* read: cycles of the run in which `event_thread_wait` was high */
+#define SEARCH_EVENT_THREAD_WAIT 0x050u /* read: cycles of the run in which `event_thread_wait` was high */
 #define SEARCH_POINTS_BASE 0x080u /* read, write: address of the points, a multiple of 4096 */
 #define SEARCH_QUERIES 0x088u /* read, write: queries of the next run, at least 1 */
 #define SEARCH_IDENTITY UINT32_C(0x50430b01) /* what SEARCH_ID reads */

@@ -72,8 +72,8 @@ module search_axi (
     wire core_result_last, core_result_found;
     wire [15:0] core_result_index;
     wire [23:0] core_result_distance2;
-    wire core_event_node, core_event_pop, core_event_beat, core_event_insert, core_event_insert_wait;
-    wire core_event_thread_wait, registers_busy, registers_start, registers_core_reset, registers_aborts;
+    wire core_event_node, core_event_pop, core_event_beat, core_event_insert, core_event_thread_wait;
+    wire registers_busy, registers_start, registers_core_reset, registers_aborts;
     wire [31:0] registers_points_base, registers_queries;
     wire queries_out_valid;
     wire [15:0] queries_out_number;
@@ -126,8 +126,7 @@ module search_axi (
         .result_last(core_result_last), .result_found(core_result_found), .result_index(core_result_index),
         .result_distance2(core_result_distance2),
         .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
-        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
-        .event_thread_wait(core_event_thread_wait)
+        .event_insert(core_event_insert), .event_thread_wait(core_event_thread_wait)
     );
 
     bus_registers registers (
@@ -144,8 +143,7 @@ module search_axi (
         .memory_error(points_error),
         .packet_taken(queries_taken), .packet_sent(results_sent),
         .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
-        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
-        .event_thread_wait(core_event_thread_wait),
+        .event_insert(core_event_insert), .event_thread_wait(core_event_thread_wait),
         .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(s_axil_arready), .s_axil_araddr(s_axil_araddr),
         .s_axil_rvalid(s_axil_rvalid), .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata),
         .s_axil_rresp(s_axil_rresp),
@@ -968,7 +966,7 @@ module stream_skid_w51 (
 endmodule
 
 // Registers of a core.
-// registers = 20
+// registers = 19
 module bus_registers (
     input  wire clk, input wire rst,
     input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
@@ -994,7 +992,6 @@ module bus_registers (
     input  wire event_pop,  // A path was popped.
     input  wire event_beat,  // A priority queue was done with a beat of points.
     input  wire event_insert,  // A neighbor was inserted.
-    input  wire event_insert_wait,  // A beat stayed for one more insertion.
     input  wire event_thread_wait,  // A query waited for a free thread.
     input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
@@ -1006,7 +1003,7 @@ module bus_registers (
     output wire [31:0] queries  // Queries of the next run.
 );
     (* ram_style = "distributed" *)
-    reg [31:0] words [0:13];
+    reg [31:0] words [0:12];
     reg has_address, has_data;
     reg [11:0] write_address;
     reg [31:0] write_data;
@@ -1043,8 +1040,6 @@ module bus_registers (
     reg void_11;
     reg [5:0] part_12;
     reg void_12;
-    reg [5:0] part_13;
-    reg void_13;
     reg [7:0] part;
     reg is_void;
     reg [31:0] word;
@@ -1093,7 +1088,7 @@ module bus_registers (
             5'd18: found = 5'd26;
             5'd19: found = 5'd27;
             5'd20: found = 5'd28;
-            5'd21: found = 5'd29;
+            5'd21: found = 5'd0;
             5'd22: found = 5'd0;
             5'd23: found = 5'd0;
             5'd24: found = 5'd0;
@@ -1152,19 +1147,14 @@ module bus_registers (
     wire event_insert_and_busy = event_insert & busy;
     wire [5:0] part_11_bits = {5'd0, event_insert_and_busy};
     wire visits_12 = looks & (visited == 4'd12);
-    wire event_insert_wait_and_busy = event_insert_wait & busy;
-    wire [5:0] part_12_bits = {5'd0, event_insert_wait_and_busy};
-    wire visits_13 = looks & (visited == 4'd13);
     wire event_thread_wait_and_busy = event_thread_wait & busy;
-    wire [5:0] part_13_bits = {5'd0, event_thread_wait_and_busy};
-    wire [7:0] part_choice = visited[1] ? {2'd0, part_13} : visited[0] ? {2'd0, part_13} : {2'd0, part_12};
-    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
-    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {2'd0, part_4};
-    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
+    wire [5:0] part_12_bits = {5'd0, event_thread_wait_and_busy};
+    wire [7:0] part_choice = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
+    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {2'd0, part_4};
+    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
     wire is_void_choice = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire is_void_choice_2 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : is_void_choice;
-    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire is_void_choice_4 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire is_void_choice_2 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
     wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430b01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
@@ -1224,8 +1214,6 @@ module bus_registers (
             void_11 <= 1'd1;
             part_12 <= 6'd0;
             void_12 <= 1'd1;
-            part_13 <= 6'd0;
-            void_13 <= 1'd1;
             round <= 4'd0;
             for_read <= 1'd0;
             read_valid <= 1'd0;
@@ -1270,8 +1258,6 @@ module bus_registers (
             void_11 <= start | (void_11 & ~visits_11);
             part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
-            void_13 <= start | (void_13 & ~visits_13);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
@@ -1282,7 +1268,7 @@ module bus_registers (
                 visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
             end
-            if (adds & ~turns_aside) round <= (round == 4'd13) ? 4'd0 : (round + 4'd1);
+            if (adds & ~turns_aside) round <= (round == 4'd12) ? 4'd0 : (round + 4'd1);
         end
     end
     always @(posedge clk) begin
@@ -1293,8 +1279,8 @@ module bus_registers (
         end
         if (judges) write_is_okay <= write_accepted;
         if (read_ready) read_address <= s_axil_araddr;
-        part <= visited[3] ? (visited[2] ? part_choice : part_choice_2) : visited[2] ? part_choice_3 : part_choice_4;
-        is_void <= visited[3] ? is_void_choice_2 : visited[2] ? is_void_choice_3 : is_void_choice_4;
+        part <= visited[3] ? (visited[2] ? {2'd0, part_12} : part_choice) : visited[2] ? part_choice_2 : part_choice_3;
+        is_void <= visited[3] ? (visited[2] ? void_12 : is_void_choice) : visited[2] ? is_void_choice_2 : is_void_choice_3;
         read_value <= saturated;
         if (answers) begin
             s_axil_rdata <= asks ? read_value : (s_axil_rdata_either_4 & {32{~refused_read}});
@@ -1319,8 +1305,7 @@ module bus_registers (
     wire [6:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {6'd0, event_pop_and_busy};
     wire [6:0] check_sum_5 = {1'd0, part_10} + {6'd0, event_beat_and_busy};
     wire [6:0] check_sum_6 = {1'd0, part_11} + {6'd0, event_insert_and_busy};
-    wire [6:0] check_sum_7 = {1'd0, part_12} + {6'd0, event_insert_wait_and_busy};
-    wire [6:0] check_sum_8 = {1'd0, part_13} + {6'd0, event_thread_wait_and_busy};
+    wire [6:0] check_sum_7 = {1'd0, part_12} + {6'd0, event_thread_wait_and_busy};
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -1337,7 +1322,6 @@ module bus_registers (
         part_10_has_room: assert (~check_sum_5[6]);
         part_11_has_room: assert (~check_sum_6[6]);
         part_12_has_room: assert (~check_sum_7[6]);
-        part_13_has_room: assert (~check_sum_8[6]);
 `else
         if (!(~part_0_plus_part_0_sum[7])) begin
             $display("assertion failed: part_0_has_room in %m"); $stop;
@@ -1364,15 +1348,14 @@ module bus_registers (
         if (!(~check_sum_5[6])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
         if (!(~check_sum_6[6])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
         if (!(~check_sum_7[6])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
-        if (!(~check_sum_8[6])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
 `endif
     end
 
     wire _unused_by_checks = &{
         1'b0, check_sum[6:0], check_sum_2[5:0], check_sum_3[5:0], check_sum_4[5:0], check_sum_5[5:0],
-        check_sum_6[5:0], check_sum_7[5:0], check_sum_8[5:0], part_0_plus_part_0_sum[6:0],
-        part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[5:0], part_4_plus_memory_error[5:0],
-        part_5_plus_busy[5:0], part_9_plus_event_pop_and_busy[5:0]
+        check_sum_6[5:0], check_sum_7[5:0], part_0_plus_part_0_sum[6:0], part_2_plus_part_2_sum[7:0],
+        part_3_plus_packet_error[5:0], part_4_plus_memory_error[5:0], part_5_plus_busy[5:0],
+        part_9_plus_event_pop_and_busy[5:0]
     };
 `endif
 endmodule

@@ -148,10 +148,10 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module search_axi_test;
-    localparam WORDS = 19605, ANSWERS = 10;
+    localparam WORDS = 19310, ANSWERS = 10;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
-    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6, EVENT_BITS = 1;
+    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 5, EVENT_BITS = 1;
     localparam [31:0] NAME_MASK = 32'hffff, SECOND_NAME_MASK = 32'h0, END_MASK = 32'h0;
     wire s_axil_awvalid;
     wire s_axil_awready;
@@ -629,7 +629,7 @@ module search_axi_test;
         .s_axi_rlast(s_axi_rlast),
         .irq(irq)
     );
-    assign events = {dut.core.event_thread_wait, dut.core.event_insert_wait, dut.core.event_insert, dut.core.event_beat, dut.core.event_pop, dut.core.event_node};
+    assign events = {dut.core.event_thread_wait, dut.core.event_insert, dut.core.event_beat, dut.core.event_pop, dut.core.event_node};
 
     // The script. What it hands to the channels shows in the next cycle.
     reg [31:0] word, value;

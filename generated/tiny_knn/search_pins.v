@@ -31,8 +31,7 @@ module search_pins (
     reg catch_result_last, catch_result_found;
     reg [15:0] catch_result_index;
     reg [23:0] catch_result_distance2;
-    reg catch_event_node, catch_event_pop, catch_event_beat, catch_event_insert, catch_event_insert_wait;
-    reg catch_event_thread_wait;
+    reg catch_event_node, catch_event_pop, catch_event_beat, catch_event_insert, catch_event_thread_wait;
     reg [22:0] fold_0;
     reg [5:0] fold_1;
     reg [1:0] fold_2;
@@ -47,31 +46,30 @@ module search_pins (
     wire unit_result_last, unit_result_found;
     wire [15:0] unit_result_index;
     wire [23:0] unit_result_distance2;
-    wire unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert, unit_event_insert_wait;
-    wire unit_event_thread_wait;
+    wire unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert, unit_event_thread_wait;
 
-    wire fold_0_unequal = drive_result_ready ^ catch_event_thread_wait ^ catch_event_insert_wait;
-    wire fold_0_unequal_2 = catch_event_beat ^ catch_event_pop ^ catch_event_node ^ catch_result_distance2[0];
-    wire fold_0_unequal_3 = catch_result_distance2[1] ^ catch_result_distance2[2] ^ catch_result_distance2[3];
-    wire fold_0_unequal_4 = catch_result_distance2[5] ^ catch_result_distance2[6] ^ catch_result_distance2[7];
-    wire fold_0_unequal_5 = catch_result_distance2[9] ^ catch_result_distance2[10] ^ catch_result_distance2[11];
-    wire fold_0_unequal_6 = catch_result_distance2[13] ^ catch_result_distance2[14] ^ catch_result_distance2[15];
-    wire fold_0_unequal_7 = catch_result_distance2[17] ^ catch_result_distance2[18] ^ catch_result_distance2[19];
-    wire fold_0_unequal_8 = catch_result_distance2[21] ^ catch_result_distance2[22] ^ catch_result_distance2[23];
-    wire fold_0_unequal_9 = catch_result_index[1] ^ catch_result_index[2] ^ catch_result_index[3];
-    wire fold_0_unequal_10 = catch_result_index[5] ^ catch_result_index[6] ^ catch_result_index[7];
-    wire fold_0_unequal_11 = catch_result_index[9] ^ catch_result_index[10] ^ catch_result_index[11];
-    wire fold_0_unequal_12 = catch_result_index[13] ^ catch_result_index[14] ^ catch_result_index[15];
-    wire fold_0_unequal_13 = catch_result_last ^ catch_result_number[0] ^ catch_result_number[1];
-    wire fold_0_unequal_14 = catch_result_number[3] ^ catch_result_number[4] ^ catch_result_number[5];
-    wire fold_0_unequal_15 = catch_result_number[7] ^ catch_result_number[8] ^ catch_result_number[9];
-    wire fold_0_unequal_16 = catch_result_number[11] ^ catch_result_number[12] ^ catch_result_number[13];
-    wire fold_0_unequal_17 = catch_result_number[15] ^ catch_result_valid ^ catch_beat_ready ^ catch_fetch_beats[0];
-    wire fold_0_unequal_18 = catch_fetch_beats[1] ^ catch_fetch_beats[2] ^ catch_fetch_beats[3];
-    wire fold_0_unequal_19 = catch_fetch_address[1] ^ catch_fetch_address[2] ^ catch_fetch_address[3];
-    wire fold_0_unequal_20 = catch_fetch_address[5] ^ catch_fetch_address[6] ^ catch_fetch_address[7];
-    wire fold_0_unequal_21 = catch_fetch_address[9] ^ catch_fetch_address[10] ^ catch_fetch_address[11];
-    wire fold_0_unequal_22 = catch_fetch_address[13] ^ catch_fetch_address[14] ^ catch_fetch_address[15];
+    wire fold_0_unequal = drive_result_ready ^ catch_event_thread_wait ^ catch_event_insert;
+    wire fold_0_unequal_2 = catch_event_pop ^ catch_event_node ^ catch_result_distance2[0] ^ catch_result_distance2[1];
+    wire fold_0_unequal_3 = catch_result_distance2[2] ^ catch_result_distance2[3] ^ catch_result_distance2[4];
+    wire fold_0_unequal_4 = catch_result_distance2[6] ^ catch_result_distance2[7] ^ catch_result_distance2[8];
+    wire fold_0_unequal_5 = catch_result_distance2[10] ^ catch_result_distance2[11] ^ catch_result_distance2[12];
+    wire fold_0_unequal_6 = catch_result_distance2[14] ^ catch_result_distance2[15] ^ catch_result_distance2[16];
+    wire fold_0_unequal_7 = catch_result_distance2[18] ^ catch_result_distance2[19] ^ catch_result_distance2[20];
+    wire fold_0_unequal_8 = catch_result_distance2[22] ^ catch_result_distance2[23] ^ catch_result_index[0];
+    wire fold_0_unequal_9 = catch_result_index[2] ^ catch_result_index[3] ^ catch_result_index[4];
+    wire fold_0_unequal_10 = catch_result_index[6] ^ catch_result_index[7] ^ catch_result_index[8];
+    wire fold_0_unequal_11 = catch_result_index[10] ^ catch_result_index[11] ^ catch_result_index[12];
+    wire fold_0_unequal_12 = catch_result_index[14] ^ catch_result_index[15] ^ catch_result_found;
+    wire fold_0_unequal_13 = catch_result_number[0] ^ catch_result_number[1] ^ catch_result_number[2];
+    wire fold_0_unequal_14 = catch_result_number[4] ^ catch_result_number[5] ^ catch_result_number[6];
+    wire fold_0_unequal_15 = catch_result_number[8] ^ catch_result_number[9] ^ catch_result_number[10];
+    wire fold_0_unequal_16 = catch_result_number[12] ^ catch_result_number[13] ^ catch_result_number[14];
+    wire fold_0_unequal_17 = catch_result_valid ^ catch_beat_ready ^ catch_fetch_beats[0] ^ catch_fetch_beats[1];
+    wire fold_0_unequal_18 = catch_fetch_beats[2] ^ catch_fetch_beats[3] ^ catch_fetch_address[0];
+    wire fold_0_unequal_19 = catch_fetch_address[2] ^ catch_fetch_address[3] ^ catch_fetch_address[4];
+    wire fold_0_unequal_20 = catch_fetch_address[6] ^ catch_fetch_address[7] ^ catch_fetch_address[8];
+    wire fold_0_unequal_21 = catch_fetch_address[10] ^ catch_fetch_address[11] ^ catch_fetch_address[12];
+    wire fold_0_unequal_22 = catch_fetch_address[14] ^ catch_fetch_address[15] ^ catch_fetch_thread[0];
 
     assign serial_out = fold_3;
 
@@ -92,8 +90,7 @@ module search_pins (
         .result_number(unit_result_number), .result_last(unit_result_last), .result_found(unit_result_found),
         .result_index(unit_result_index), .result_distance2(unit_result_distance2),
         .event_node(unit_event_node), .event_pop(unit_event_pop), .event_beat(unit_event_beat),
-        .event_insert(unit_event_insert), .event_insert_wait(unit_event_insert_wait),
-        .event_thread_wait(unit_event_thread_wait)
+        .event_insert(unit_event_insert), .event_thread_wait(unit_event_thread_wait)
     );
 
     always @(posedge clk) begin
@@ -137,21 +134,19 @@ module search_pins (
         catch_event_pop <= unit_event_pop;
         catch_event_beat <= unit_event_beat;
         catch_event_insert <= unit_event_insert;
-        catch_event_insert_wait <= unit_event_insert_wait;
         catch_event_thread_wait <= unit_event_thread_wait;
         fold_0 <= {
-            fold_0_unequal ^ catch_event_insert, fold_0_unequal_2, fold_0_unequal_3 ^ catch_result_distance2[4],
-            fold_0_unequal_4 ^ catch_result_distance2[8], fold_0_unequal_5 ^ catch_result_distance2[12],
-            fold_0_unequal_6 ^ catch_result_distance2[16], fold_0_unequal_7 ^ catch_result_distance2[20],
-            fold_0_unequal_8 ^ catch_result_index[0], fold_0_unequal_9 ^ catch_result_index[4],
-            fold_0_unequal_10 ^ catch_result_index[8], fold_0_unequal_11 ^ catch_result_index[12],
-            fold_0_unequal_12 ^ catch_result_found, fold_0_unequal_13 ^ catch_result_number[2],
-            fold_0_unequal_14 ^ catch_result_number[6], fold_0_unequal_15 ^ catch_result_number[10],
-            fold_0_unequal_16 ^ catch_result_number[14], fold_0_unequal_17,
-            fold_0_unequal_18 ^ catch_fetch_address[0], fold_0_unequal_19 ^ catch_fetch_address[4],
-            fold_0_unequal_20 ^ catch_fetch_address[8], fold_0_unequal_21 ^ catch_fetch_address[12],
-            fold_0_unequal_22 ^ catch_fetch_thread[0],
-            catch_fetch_thread[1] ^ catch_fetch_valid ^ catch_query_ready
+            fold_0_unequal ^ catch_event_beat, fold_0_unequal_2, fold_0_unequal_3 ^ catch_result_distance2[5],
+            fold_0_unequal_4 ^ catch_result_distance2[9], fold_0_unequal_5 ^ catch_result_distance2[13],
+            fold_0_unequal_6 ^ catch_result_distance2[17], fold_0_unequal_7 ^ catch_result_distance2[21],
+            fold_0_unequal_8 ^ catch_result_index[1], fold_0_unequal_9 ^ catch_result_index[5],
+            fold_0_unequal_10 ^ catch_result_index[9], fold_0_unequal_11 ^ catch_result_index[13],
+            fold_0_unequal_12 ^ catch_result_last, fold_0_unequal_13 ^ catch_result_number[3],
+            fold_0_unequal_14 ^ catch_result_number[7], fold_0_unequal_15 ^ catch_result_number[11],
+            fold_0_unequal_16 ^ catch_result_number[15], fold_0_unequal_17,
+            fold_0_unequal_18 ^ catch_fetch_address[1], fold_0_unequal_19 ^ catch_fetch_address[5],
+            fold_0_unequal_20 ^ catch_fetch_address[9], fold_0_unequal_21 ^ catch_fetch_address[13],
+            fold_0_unequal_22 ^ catch_fetch_thread[1], catch_fetch_valid ^ catch_query_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

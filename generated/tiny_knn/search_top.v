@@ -40,7 +40,6 @@ module search_top (
     output wire event_pop,  // A path was popped.
     output wire event_beat,  // A priority queue was done with a beat of points.
     output wire event_insert,  // A neighbor was inserted.
-    output wire event_insert_wait,  // A beat stayed for one more insertion.
     output wire event_thread_wait  // A query waited for a free thread.
 );
     wire threads_start_valid;
@@ -202,7 +201,7 @@ module search_top (
         .result_valid(result_valid), .result_ready(result_ready), .result_number(result_number),
         .result_last(result_last), .result_found(result_found), .result_index(result_index),
         .result_distance2(result_distance2),
-        .event_beat(event_beat), .event_insert_wait(event_insert_wait)
+        .event_beat(event_beat)
     );
 
 `ifdef RTL_ASSERT
@@ -251,8 +250,7 @@ module search_queue (
     output wire result_found,  // Low for a query without any neighbor.
     output wire [15:0] result_index,  // The neighbor's place in the point memory.
     output wire [23:0] result_distance2,  // Its squared distance.
-    output reg  event_beat,  // A priority queue was done with a beat of points.
-    output wire event_insert_wait  // A beat stayed for one more insertion.
+    output reg  event_beat  // A priority queue was done with a beat of points.
 );
     (* ram_style = "distributed" *)
     reg [66:0] arrivals [0:1];
@@ -423,7 +421,6 @@ module search_queue (
     assign result_found = position[2] ? result_found_choice : result_found_choice_2;
     assign result_index = position[2] ? result_index_choice : result_index_choice_2;
     assign result_distance2 = position[2] ? result_distance2_choice : result_distance2_choice_2;
-    assign event_insert_wait = 1'd0;
 
     memory_1w1r #(.WIDTH(328), .DEPTH(4)) rows (
         .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),

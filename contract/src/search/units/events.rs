@@ -14,6 +14,7 @@ pub struct QueueEvents {
     pub insert: bool,
     /// A beat stayed for one more insertion.
     #[name("event_insert_wait")]
+    #[when(config.lanes > 1)]
     pub insert_wait: bool,
 }
 

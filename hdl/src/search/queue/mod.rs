@@ -294,6 +294,8 @@ pub fn module(config: &Config) -> Module {
     let rows = Rows { initial: fetch.initial, working: *working.row, stored: fetch.stored };
     readout.send(&mut m, config, &rows, &fetch.query);
     PORTS.events.event(&mut m, config, |events| events.beat, fetch.moves & !choice.stays);
-    PORTS.events.event(&mut m, config, |events| events.insert_wait, fetch.moves & choice.stays);
+    if config.lanes > 1 {
+        PORTS.events.event(&mut m, config, |events| events.insert_wait, fetch.moves & choice.stays);
+    }
     m
 }
