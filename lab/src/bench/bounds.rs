@@ -5,7 +5,7 @@ use super::{SCENES, load_shipped};
 use crate::{Figures, LabError, note};
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
-use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatReport, SplatRunner};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::path::Path;
@@ -18,6 +18,8 @@ const RASTERIZERS: [u32; 4] = [1, 2, 4, 8];
 const REPEATED_FRAMES: usize = 4;
 /// The key of the configuration that counts them.
 const RASTERIZERS_KEY: &str = "rasterizers";
+/// Payloads in memory instead of on the chip.
+const PAYLOAD_IN_MEMORY: (&str, &str) = ("payload", "memory");
 
 /// Measures every shipped scene; `scan` is the model of scenes/igea.toml.
 ///
@@ -37,27 +39,28 @@ fn scene_figures(path: &str, scan: Option<&Path>) -> Result<Figures, LabError> {
     let name = path.rsplit('/').next().unwrap_or(path);
     for count in RASTERIZERS {
         note!("{name}: golden model, {count} rasterizers");
-        for (key, value) in frame_figures(name, &scene, &with_rasterizers(&scene, count)?)? {
+        let rasterizers = (RASTERIZERS_KEY, i64::from(count).into());
+        let (key, value) = PAYLOAD_IN_MEMORY;
+        let on_chip = frame_figures(name, &scene, &plan_with(&scene, &[rasterizers.clone()])?)?;
+        let in_memory = payload_figures(name, &scene, &plan_with(&scene, &[rasterizers, (key, value.into())])?)?;
+        for (key, value) in on_chip.into_iter().chain(in_memory) {
             figures.insert(format!("splat.{name}.n{count}.{key}"), value);
         }
     }
     Ok(figures)
 }
 
-/// A plan for so many rasterizers.
-fn with_rasterizers(scene: &Scene, count: u32) -> Result<Plan, LabError> {
+/// A plan in which some keys have these values.
+fn plan_with(scene: &Scene, values: &[(&str, toml::Value)]) -> Result<Plan, LabError> {
     let mut overrides = scene.overrides.clone();
-    overrides.insert(RASTERIZERS_KEY.to_owned(), i64::from(count).into());
+    overrides.extend(values.iter().map(|(key, value)| ((*key).to_owned(), value.clone())));
     Ok(Plan::with_overrides(scene, &overrides)?)
 }
 
 /// Whole frames, until the last fragment has left; and the same one several times over, each drawn while the one before leaves.
 fn frame_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static str, Value); 10], LabError> {
-    let core = SplatCore::generate(&plan.config)?;
     let frame = EncodedFrame::new(scene, plan);
-    let runner = SplatRunner::new(&plan.config, &frame);
-    let outcome = runner.golden(&core)?;
-    let report = Reported { name, scene, plan, engine: "golden", mismatches: None }.report(&runner, &outcome);
+    let (core, report) = run(name, scene, plan, &frame)?;
     let repeated = EncodedFrame { records: frame.records.repeat(REPEATED_FRAMES), ..frame.clone() };
     let repeated = SplatRunner::new(&plan.config, &repeated).golden(&core)?.counters.cycles;
     let of_repeated = (report.bound.cycles * REPEATED_FRAMES as u64) as f64 / repeated as f64;
@@ -73,4 +76,22 @@ fn frame_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static st
         ("coverage", report.coverage.into()),
         ("overdraw", report.overdraw.into()),
     ])
+}
+
+/// A whole frame whose payloads lie in memory.
+fn payload_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static str, Value); 2], LabError> {
+    let (_, report) = run(name, scene, plan, &EncodedFrame::new(scene, plan))?;
+    Ok([
+        ("payload_bytes", (report.payload_read_bytes + report.payload_write_bytes).into()),
+        ("payload_cycles", report.cycles.into()),
+    ])
+}
+
+/// A frame on the golden model, and what is to be said of it.
+fn run(name: &str, scene: &Scene, plan: &Plan, frame: &EncodedFrame) -> Result<(SplatCore, SplatReport), LabError> {
+    let core = SplatCore::generate(&plan.config)?;
+    let runner = SplatRunner::new(&plan.config, frame);
+    let outcome = runner.golden(&core)?;
+    let report = Reported { name, scene, plan, engine: "golden", mismatches: None }.report(&runner, &outcome);
+    Ok((core, report))
 }
