@@ -236,8 +236,9 @@ impl Prover<'_> {
         }
         Ok(match ask(&format!("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4; pdr -T {seconds}"), 2 * seconds)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
-            Verdict::Failed(_) => Proof::Different,
-            Verdict::Passed | Verdict::Stuck => Proof::Open,
+            Verdict::Failed(text) if text.contains(REFUTED) => Proof::Different,
+            // Without an answer it came to its end, to that of its time, or to that of the memory there is.
+            Verdict::Passed | Verdict::Failed(_) | Verdict::Stuck => Proof::Open,
         })
     }
 }
