@@ -134,6 +134,10 @@ class Scene:
     Points are (N, 3), radii (N,) or one for all, normals (N, 3), colors sRGB from 0 to 1, (N, 3). Points without a normal
     face the eye. Without an eye or a direction the camera sees the whole scene from the side that shows most. With more
     than one frame it turns around the scene.
+
+    Triangles, seen from both sides, hide what of the splats lies behind them, and are in the picture: vertices are (V, 3),
+    faces whole numbers, (F, 3). Vertices without normals have the means of those of their faces; without colors they are
+    white.
     """
 
     def __new__(
@@ -144,6 +148,10 @@ class Scene:
         colors: _Numbers | None = None,
         *,
         two_sided: bool = False,
+        vertices: _Numbers | None = None,
+        faces: NDArray[np.integer[Any]] | None = None,
+        vertex_normals: _Numbers | None = None,
+        vertex_colors: _Numbers | None = None,
         width: int = 512,
         height: int = 512,
         background: _Vector = (0.0, 0.0, 0.0),

@@ -1,6 +1,6 @@
 /*
  * pointcore from C: the neighbors of 1,000 points, checked against a search through all of them, the hardware for that
- * as Verilog, and a picture of a sphere. Exits with 0 if all is as it should be.
+ * as Verilog, a picture of a sphere, and one of a splat behind a triangle. Exits with 0 if all is as it should be.
  *
  *   cc -I bindings/c/include bindings/c/examples/search_and_render.c -L target/debug -lpointcore -lm
  */
@@ -118,7 +118,7 @@ static void render(uint32_t back_end) {
     PointcorePlan *plan;
     PointcoreRender *render;
     PointcoreFrame *frame;
-    CHECK(pointcore_scene_open(&splats, &camera, &image, &scene) == POINTCORE_STATUS_OK);
+    CHECK(pointcore_scene_open(&splats, NULL, &camera, &image, &scene) == POINTCORE_STATUS_OK);
     CHECK(pointcore_plan_scene(scene, &plan) == POINTCORE_STATUS_OK);
     CHECK(strstr(pointcore_plan_toml(plan), "kind = \"splat\"") != NULL);
     CHECK(pointcore_render_open(scene, pointcore_plan_toml(plan), back_end, &render) == POINTCORE_STATUS_OK);
@@ -147,6 +147,33 @@ static void render(uint32_t back_end) {
     CHECK(pointcore_frame_arrays(NULL).mask == NULL);
 }
 
+/* A triangle before the right half of a splat, in green. */
+static void hide(uint32_t back_end) {
+    enum { EDGE = 16, LEFT = (EDGE / 2) * EDGE + EDGE / 4, RIGHT = LEFT + EDGE / 2 };
+    const double center[] = {0.0, 0.0, 0.0}, radius = 2.0, vertices[] = {0, -9, 1, 9, 0, 1, 0, 9, 1};
+    const double green[] = {0, 1, 0, 0, 1, 0, 0, 1, 0};
+    const uint32_t face[] = {0, 1, 2}, wrong[] = {0, 1, 3};
+    const PointcoreSplats splats = {.count = 1, .points = center, .radii = &radius, .radii_count = 1};
+    const PointcoreCamera camera = {.eye = {0.0, 0.0, 5.0}, .up = {0.0, 1.0, 0.0}, .fov_degrees = 30.0};
+    const PointcoreImage image = {.width = EDGE, .height = EDGE};
+    PointcoreMesh mesh = {.vertex_count = 3, .vertices = vertices, .colors = green, .face_count = 1, .faces = wrong};
+    PointcoreScene *scene;
+    PointcoreRender *render;
+    PointcoreFrame *frame;
+    CHECK(pointcore_scene_open(&splats, &mesh, &camera, &image, &scene) == POINTCORE_STATUS_INPUT);
+    CHECK(strstr(pointcore_error_message(), "face 0 is [0, 1, 3]") != NULL);
+    mesh.faces = face;
+    CHECK(pointcore_scene_open(&splats, &mesh, &camera, &image, &scene) == POINTCORE_STATUS_OK);
+    CHECK(pointcore_render_open(scene, NULL, back_end, &render) == POINTCORE_STATUS_OK);
+    CHECK(pointcore_render_frame(render, 0, &frame) == POINTCORE_STATUS_OK);
+    pointcore_render_close(render);
+    pointcore_scene_close(scene);
+    const PointcoreFrameArrays arrays = pointcore_frame_arrays(frame);
+    CHECK(arrays.mask[LEFT] && !arrays.mask[RIGHT]);
+    CHECK(arrays.picture[3 * LEFT] > 200 && arrays.picture[3 * RIGHT] < 100 && arrays.picture[3 * RIGHT + 1] > 200);
+    pointcore_frame_close(frame);
+}
+
 int main(int count, char **arguments) {
     CHECK(count == 2); /* a folder for the Verilog */
     CHECK(pointcore_error_message()[0] == '\0');
@@ -155,6 +182,7 @@ int main(int count, char **arguments) {
     plan_and_generate(arguments[1]);
     render(POINTCORE_BACK_END_GOLDEN);
     render(POINTCORE_BACK_END_VERILOG);
+    hide(POINTCORE_BACK_END_GOLDEN);
     printf("pointcore %s: all is as it should be\n", pointcore_version());
     return 0;
 }

@@ -159,6 +159,22 @@ typedef struct {
   uint8_t two_sided;
 } PointcoreSplats;
 
+// Triangles as arrays, which are copied: drawn before the splats, they hide what lies behind them. They are seen from both sides.
+typedef struct {
+  // How many vertices there are.
+  size_t vertex_count;
+  // Where they are: three numbers each.
+  const double *vertices;
+  // Their normals: three numbers each, of any length; NULL for the means of those of their faces.
+  const double *normals;
+  // sRGB from 0 to 1: three numbers each; NULL for white.
+  const double *colors;
+  // How many triangles there are.
+  size_t face_count;
+  // Indices of their vertices: three each.
+  const uint32_t *faces;
+} PointcoreMesh;
+
 // A camera.
 typedef struct {
   // The eye.
@@ -322,12 +338,14 @@ void pointcore_frame_close(PointcoreFrame *frame);
 // `render` is NULL or open, and no thread uses it any more.
 void pointcore_render_close(PointcoreRender *render);
 
-// Makes a scene of splats; without a camera (NULL) one sees all of it. `pointcore_scene_close` ends it.
+// Makes a scene of splats, and of triangles beside them where `mesh` is not NULL; without a camera (NULL) one sees all of it.
+// `pointcore_scene_close` ends it.
 //
 // # Safety
-// `splats` and `image` are structures whose pointers hold what they say, `camera` is NULL or one, `scene` is a place
-// for a handle.
+// `splats`, `mesh` and `image` are structures whose pointers hold what they say, `mesh` and `camera` may be NULL, `scene` is a
+// place for a handle.
 PointcoreStatus pointcore_scene_open(const PointcoreSplats *splats,
+                                     const PointcoreMesh *mesh,
                                      const PointcoreCamera *camera,
                                      const PointcoreImage *image,
                                      PointcoreScene **scene);

@@ -3,7 +3,7 @@
 use crate::arguments::{array, borrowed, drop_handle, hand_over, place, required_text};
 use crate::plan::Plan;
 use crate::status::{Status, call};
-use pointcore_bindings::{BindingError, Sides, Splats as Arrays, View, Viewpoint};
+use pointcore_bindings::{BindingError, Mesh as MeshArrays, Sides, Splats as Arrays, View, Viewpoint};
 use std::ffi::c_char;
 use std::path::Path;
 
@@ -27,6 +27,23 @@ pub struct Splats {
     pub colors: *const f64,
     /// Other than 0 if they are seen from behind, too.
     pub two_sided: u8,
+}
+
+/// Triangles as arrays, which are copied: drawn before the splats, they hide what lies behind them. They are seen from both sides.
+#[repr(C)]
+pub struct Mesh {
+    /// How many vertices there are.
+    pub vertex_count: usize,
+    /// Where they are: three numbers each.
+    pub vertices: *const f64,
+    /// Their normals: three numbers each, of any length; NULL for the means of those of their faces.
+    pub normals: *const f64,
+    /// sRGB from 0 to 1: three numbers each; NULL for white.
+    pub colors: *const f64,
+    /// How many triangles there are.
+    pub face_count: usize,
+    /// Indices of their vertices: three each.
+    pub faces: *const u32,
 }
 
 /// A camera.
@@ -53,47 +70,72 @@ pub struct Image {
     pub background: [f64; 3],
 }
 
+/// An array of three numbers for each of `count`; none for NULL.
+///
+/// # Safety
+/// The pointer is NULL or holds as many numbers.
+unsafe fn given(name: &str, pointer: *const f64, count: usize) -> Result<Option<Vec<[f64; 3]>>, BindingError> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: as the caller says.
+    unsafe { array(name, pointer, count) }.map(|rows| Some(rows.to_vec()))
+}
+
+impl Mesh {
+    /// # Safety
+    /// Pointers are NULL or hold as many numbers as the counts say.
+    unsafe fn arrays(&self) -> Result<MeshArrays, BindingError> {
+        let count = self.vertex_count;
+        // SAFETY: as the caller says.
+        unsafe {
+            Ok(MeshArrays {
+                vertices: array("vertices", self.vertices, count)?.to_vec(),
+                faces: array("faces", self.faces, self.face_count)?.to_vec(),
+                normals: given("normals", self.normals, count)?,
+                colors: given("colors", self.colors, count)?,
+            })
+        }
+    }
+}
+
 impl Splats {
     /// # Safety
     /// Pointers are NULL or hold as many numbers as the counts say.
     unsafe fn arrays(&self) -> Result<Arrays, BindingError> {
-        let given = |name, pointer: *const f64| -> Result<Option<Vec<[f64; 3]>>, BindingError> {
-            if pointer.is_null() {
-                return Ok(None);
-            }
-            // SAFETY: as the caller says.
-            unsafe { array(name, pointer, self.count) }.map(|rows| Some(rows.to_vec()))
-        };
         // SAFETY: as the caller says.
-        let (points, radii) =
-            unsafe { (array("points", self.points, self.count)?, array("radii", self.radii, self.radii_count)?) };
-        Ok(Arrays {
-            points: points.to_vec(),
-            normals: given("normals", self.normals)?,
-            radii: radii.to_vec(),
-            colors: given("colors", self.colors)?,
-            sides: if self.two_sided == 0 { Sides::Front } else { Sides::Both },
-        })
+        unsafe {
+            Ok(Arrays {
+                points: array("points", self.points, self.count)?.to_vec(),
+                normals: given("normals", self.normals, self.count)?,
+                radii: array("radii", self.radii, self.radii_count)?.to_vec(),
+                colors: given("colors", self.colors, self.count)?,
+                sides: if self.two_sided == 0 { Sides::Front } else { Sides::Both },
+            })
+        }
     }
 }
 
-/// Makes a scene of splats; without a camera (NULL) one sees all of it. `pointcore_scene_close` ends it.
+/// Makes a scene of splats, and of triangles beside them where `mesh` is not NULL; without a camera (NULL) one sees all of it.
+/// `pointcore_scene_close` ends it.
 ///
 /// # Safety
-/// `splats` and `image` are structures whose pointers hold what they say, `camera` is NULL or one, `scene` is a place
-/// for a handle.
+/// `splats`, `mesh` and `image` are structures whose pointers hold what they say, `mesh` and `camera` may be NULL, `scene` is a
+/// place for a handle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pointcore_scene_open(
     splats: *const Splats,
+    mesh: *const Mesh,
     camera: *const Camera,
     image: *const Image,
     scene: *mut *mut Scene,
 ) -> Status {
     call(|| {
         // SAFETY: as the caller says.
-        let (splats, camera, image, scene) = unsafe {
-            (borrowed("splats", splats)?.arrays()?, camera.as_ref(), borrowed("image", image)?, place("scene", scene)?)
-        };
+        let (splats, mesh) =
+            unsafe { (borrowed("splats", splats)?.arrays()?, mesh.as_ref().map(|mesh| mesh.arrays()).transpose()?) };
+        // SAFETY: as the caller says.
+        let (camera, image, scene) = unsafe { (camera.as_ref(), borrowed("image", image)?, place("scene", scene)?) };
         let viewpoint = camera.map_or(Viewpoint::Anywhere, |camera| Viewpoint::At {
             eye: camera.eye,
             target: camera.target,
@@ -101,7 +143,7 @@ pub unsafe extern "C" fn pointcore_scene_open(
         });
         let &Image { width, height, background } = image;
         let view = View { width, height, viewpoint, up: camera.map(|camera| camera.up), background, frames: 1 };
-        hand_over(Scene(pointcore_bindings::Scene::new(&splats, &view)?), scene);
+        hand_over(Scene(pointcore_bindings::Scene::new(&splats, mesh.as_ref(), &view)?), scene);
         Ok(())
     })
 }

@@ -21,7 +21,7 @@ pub use plan::Plan;
 pub use pointcore::scene::Sides;
 pub use process::{Output, Process, ProcessSettings, ProgramSource, Results, Values};
 pub use render::{Frame, Render};
-pub use scene::{Scene, Splats, View, Viewpoint};
+pub use scene::{Mesh, Scene, Splats, View, Viewpoint};
 pub use search::{Found, NONE, Search, SearchSettings};
 
 /// Handles of other languages may be used by several threads at a time.

@@ -117,7 +117,7 @@ impl Render {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ErrorKind, Plan, Sides, Splats, View, Viewpoint};
+    use crate::{ErrorKind, Mesh, Plan, Sides, Splats, View, Viewpoint};
 
     /// A wall of discs in the plane z = 0, gray, that faces along z.
     fn wall() -> Splats {
@@ -133,7 +133,7 @@ mod tests {
     }
 
     fn open(splats: &Splats, view: &View) -> Result<Render, BindingError> {
-        Render::open(&Scene::new(splats, view)?, None, BackEnd::Golden)
+        Render::open(&Scene::new(splats, None, view)?, None, BackEnd::Golden)
     }
 
     #[test]
@@ -164,10 +164,53 @@ mod tests {
         assert!(covered(&Splats { normals: None, ..wall() }) > 24);
     }
 
+    /// A blue triangle before the upper half of the wall.
+    fn curtain() -> Mesh {
+        let vertices = vec![[-9.0, 0.0, 1.0], [9.0, 0.0, 1.0], [0.0, 20.0, 1.0]];
+        Mesh { vertices, faces: vec![[0, 1, 2]], normals: None, colors: Some(vec![[0.0, 0.0, 1.0]; 3]) }
+    }
+
+    #[test]
+    fn triangles_hide_splats_and_are_in_the_picture() {
+        let view = view([0.0, 0.0, 10.0]);
+        let frame = |mesh: Option<&Mesh>| {
+            let scene = Scene::new(&wall(), mesh, &view).expect("it is sound");
+            Render::open(&scene, None, BackEnd::Golden).and_then(|render| render.frame(0)).expect("it can be seen")
+        };
+        let (with, without) = (frame(Some(&curtain())), frame(None));
+        let [above, below] = [4, 11].map(|row| row * 24 + 12);
+        assert_eq!((with.mask[above], with.mask[below], without.mask[above]), (0, 1, 1));
+        let [red, green, blue] = [0, 1, 2].map(|channel| with.picture[3 * above + channel]);
+        // Its highlight is white.
+        assert!(blue > 200 && red < 100 && green < 100, "{red} {green} {blue}");
+        assert_eq!(with.picture[3 * below..][..3], without.picture[3 * below..][..3]);
+        let counted = "\"hidden\":";
+        assert!(with.report.contains(counted) && !with.report.contains(&format!("{counted}0,")), "{}", with.report);
+    }
+
+    #[test]
+    fn faults_of_a_mesh_are_named() {
+        let message = |mesh: Mesh| {
+            let error = Scene::new(&wall(), Some(&mesh), &view([0.0, 0.0, 10.0])).expect_err("something is wrong");
+            assert_eq!(error.kind, ErrorKind::Input);
+            error.message
+        };
+        let faces = vec![[0, 1, 2], [0, 1, 3]];
+        assert_eq!(message(Mesh { faces, ..curtain() }), "face 1 is [0, 1, 3]: expected indices below 3");
+        let colors = Some(vec![[0.0; 3]; 2]);
+        assert_eq!(message(Mesh { colors, ..curtain() }), "there are 2 vertex colors: expected 3, one for each vertex");
+        let colors = Some(vec![[0.0, 0.0, 2.0]; 3]);
+        assert!(message(Mesh { colors, ..curtain() }).starts_with("vertex color 0 is [0.0, 0.0, 2.0]"));
+        let vertices = vec![[0.0, f64::NAN, 0.0]; 3];
+        assert!(message(Mesh { vertices, ..curtain() }).starts_with("vertex 0 is"));
+        let flat = Mesh { vertices: vec![[1.0; 3]; 3], ..curtain() };
+        assert!(message(flat).contains("normals"));
+    }
+
     #[test]
     fn a_plan_is_the_hardware_of_a_scene_and_a_turn_has_its_frames() {
         let view = View { viewpoint: Viewpoint::From([0.0, 0.0, 1.0]), frames: 2, ..view([0.0; 3]) };
-        let scene = Scene::new(&wall(), &view).expect("it is sound");
+        let scene = Scene::new(&wall(), None, &view).expect("it is sound");
         let plan = Plan::scene(&scene).expect("there is hardware for it");
         assert!(plan.text().contains("49 splats") && plan.text().contains("multipliers"), "{}", plan.text());
         let render = Render::open(&scene, Some(&plan.toml()), BackEnd::Golden).expect("its own hardware holds it");
@@ -200,7 +243,7 @@ mod tests {
         assert!(message(Splats { points: vec![[f64::NAN; 3]; 49], ..wall() }).contains("discs.0"));
         assert!(!message(Splats { points: vec![], normals: None, colors: None, ..wall() }).is_empty());
         let search = "kind = \"search\"";
-        let scene = Scene::new(&wall(), &view([0.0, 0.0, 10.0])).expect("it is sound");
+        let scene = Scene::new(&wall(), None, &view([0.0, 0.0, 10.0])).expect("it is sound");
         let error = Render::open(&scene, Some(search), BackEnd::Golden).err().expect("it is no renderer's");
         assert!(error.message.contains("is not for the renderer"), "{error}");
         let missing = Scene::load(Path::new("no/such.toml")).expect_err("there is none");

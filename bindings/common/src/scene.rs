@@ -3,7 +3,7 @@
 use crate::BindingError;
 use glam::DVec3;
 use pointcore::color::linear_from_srgb;
-use pointcore::scene::{Disc, Scene as SplatScene, Sides};
+use pointcore::scene::{Disc, Scene as SplatScene, Sides, Triangle};
 use std::path::Path;
 
 /// Splats as arrays: what is not given is the same for all.
@@ -19,6 +19,19 @@ pub struct Splats {
     pub colors: Option<Vec<[f64; 3]>>,
     /// Whether they are seen from behind.
     pub sides: Sides,
+}
+
+/// Triangles as arrays, which are drawn before the splats and hide what lies behind them; seen from both sides.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Where its vertices are.
+    pub vertices: Vec<[f64; 3]>,
+    /// Of each triangle the indices of its vertices.
+    pub faces: Vec<[u32; 3]>,
+    /// Of the vertices, of any length; the means of those of the faces without any.
+    pub normals: Option<Vec<[f64; 3]>>,
+    /// sRGB in `0..=1` of the vertices; white without any.
+    pub colors: Option<Vec<[f64; 3]>>,
 }
 
 /// Where the eye is.
@@ -62,13 +75,16 @@ pub struct View {
 pub struct Scene(pub(crate) SplatScene);
 
 impl Scene {
-    /// The scene of some splats.
+    /// The scene of some splats, and of triangles beside them.
     ///
     /// # Errors
     /// Arrays differ in length; a value makes no sense.
-    pub fn new(splats: &Splats, view: &View) -> Result<Self, BindingError> {
+    pub fn new(splats: &Splats, mesh: Option<&Mesh>, view: &View) -> Result<Self, BindingError> {
         let View { width, height, viewpoint, up, background, frames } = *view;
         let mut builder = SplatScene::of(discs(splats)?).image(width, height).background(background);
+        if let Some(mesh) = mesh {
+            builder = builder.triangles(triangles(mesh)?);
+        }
         builder = match viewpoint {
             Viewpoint::Anywhere => builder,
             Viewpoint::From(direction) => builder.from(direction),
@@ -98,31 +114,58 @@ impl Scene {
     }
 }
 
+/// That there is one for each, where there are any.
+fn fits(name: &str, length: Option<usize>, count: usize, each: &str) -> Result<(), BindingError> {
+    match length {
+        Some(length) if length != count => {
+            Err(BindingError::input(format!("there are {length} {name}: expected {count}, one for each {each}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Linear RGB of sRGB, white where there is none.
+fn linear(name: &str, colors: Option<&Vec<[f64; 3]>>, index: usize) -> Result<[f32; 3], BindingError> {
+    let color = colors.map_or([1.0; 3], |colors| colors[index]);
+    if !color.iter().all(|component| (0.0..=1.0).contains(component)) {
+        return Err(BindingError::input(format!("{name} {index} is {color:?}: expected sRGB from 0 to 1")));
+    }
+    Ok(color.map(|component| linear_from_srgb(component) as f32))
+}
+
+fn triangles(mesh: &Mesh) -> Result<Vec<Triangle>, BindingError> {
+    let Mesh { vertices, faces, normals, colors } = mesh;
+    let count = vertices.len();
+    fits("vertex normals", normals.as_ref().map(Vec::len), count, "vertex")?;
+    fits("vertex colors", colors.as_ref().map(Vec::len), count, "vertex")?;
+    let is_finite = |vertex: &[f64; 3]| vertex.iter().all(|coordinate| coordinate.is_finite());
+    if let Some(index) = vertices.iter().position(|vertex| !is_finite(vertex)) {
+        return Err(BindingError::input(format!("vertex {index} is {:?}: expected finite numbers", vertices[index])));
+    }
+    let colors: Vec<_> =
+        (0..count).map(|index| linear("vertex color", colors.as_ref(), index)).collect::<Result<_, _>>()?;
+    let vectors = |rows: &[[f64; 3]]| rows.iter().map(|row| DVec3::from_array(*row)).collect::<Vec<_>>();
+    let normals = normals.as_deref().map(vectors);
+    Triangle::of_faces(&vectors(vertices), faces, normals.as_deref(), |index| colors[index])
+        .map_err(BindingError::input)
+}
+
 fn discs(splats: &Splats) -> Result<Vec<Disc>, BindingError> {
     let Splats { points, normals, radii, colors, sides } = splats;
     let count = points.len();
-    let fits = |name: &str, length: Option<usize>| match length {
-        Some(length) if length != count => {
-            Err(BindingError::input(format!("there are {length} {name}: expected {count}, one for each point")))
-        }
-        _ => Ok(()),
-    };
-    fits("normals", normals.as_ref().map(Vec::len))?;
-    fits("colors", colors.as_ref().map(Vec::len))?;
-    fits("radii", Some(radii.len()).filter(|length| *length != 1))?;
+    fits("normals", normals.as_ref().map(Vec::len), count, "point")?;
+    fits("colors", colors.as_ref().map(Vec::len), count, "point")?;
+    fits("radii", Some(radii.len()).filter(|length| *length != 1), count, "point")?;
     let disc = |index: usize| {
         let radius = *radii.get(index).unwrap_or(&radii[0]);
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(BindingError::input(format!("radius {index} is {radius}: expected a positive number")));
         }
-        let color = colors.as_ref().map_or([1.0; 3], |colors| colors[index]);
-        if !color.iter().all(|component| (0.0..=1.0).contains(component)) {
-            return Err(BindingError::input(format!("color {index} is {color:?}: expected sRGB from 0 to 1")));
-        }
+        let color = linear("color", colors.as_ref(), index)?;
         let normal = normals.as_ref().map_or(DVec3::ZERO, |normals| DVec3::from_array(normals[index]));
         let disc = Disc::new(DVec3::from_array(points[index]), normal, radius);
         let sides = if disc.sides == Sides::Eye { Sides::Eye } else { *sides };
-        Ok(Disc { sides, color: color.map(|component| linear_from_srgb(component) as f32), ..disc })
+        Ok(Disc { sides, color, ..disc })
     };
     (0..count).map(disc).collect()
 }

@@ -10,6 +10,8 @@ use pyo3::types::{IntoPyDict, PyDict};
 /// The kind of numpy's types of floats, and those of whole numbers and truth values.
 const FLOATS: &str = "f";
 const WHOLE: &str = "iub";
+/// The kinds of those that count.
+const INDICES: &str = "iu";
 
 /// The numbers of an array of floats in the order of its indices, and its shape.
 fn numbers(name: &str, given: &Bound<'_, PyAny>, shape: &str) -> PyResult<(Vec<f64>, Vec<usize>)> {
@@ -48,6 +50,30 @@ pub fn rows(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<[f64; 3]>> {
         [_, 3] => Ok(numbers.as_chunks::<3>().0.to_vec()),
         _ => Err(wrong(format!("{name} has shape {}: expected (N, 3)", shape_text(&shape)))),
     }
+}
+
+/// An array of whole numbers of shape (N, 3).
+pub fn triples(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
+    let Ok(array) = given.cast::<PyUntypedArray>() else {
+        let found = given.get_type().name()?;
+        return Err(wrong(format!(
+            "{name} is of type {found}: expected a numpy array of whole numbers, of shape (N, 3)"
+        )));
+    };
+    let (kind, _) = type_of(array)?;
+    if !INDICES.contains(kind) {
+        return Err(wrong(format!("{name} has dtype {}: expected whole numbers", array.dtype())));
+    }
+    let (numbers, shape) = in_order(array)?;
+    let [_, 3] = shape[..] else {
+        return Err(wrong(format!("{name} has shape {}: expected (N, 3)", shape_text(&shape))));
+    };
+    let index = |number: f64| {
+        // Numbers above 2^53 are rounded, and too large all the same.
+        let is_index = (0.0..=f64::from(u32::MAX)).contains(&number);
+        is_index.then_some(number as u32).ok_or_else(|| wrong(format!("{name} has {number}: expected indices")))
+    };
+    numbers.as_chunks::<3>().0.iter().map(|&[a, b, c]| Ok([index(a)?, index(b)?, index(c)?])).collect()
 }
 
 /// A number for all, or an array of shape (N,).

@@ -1,8 +1,8 @@
 //! Scenes.
 
-use crate::arguments::{number_or_column, rows, whole};
+use crate::arguments::{number_or_column, rows, triples, whole};
 use crate::error::{detached, wrong};
-use pointcore_bindings::{Sides, Splats, View, Viewpoint};
+use pointcore_bindings::{Mesh, Sides, Splats, View, Viewpoint};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -35,11 +35,30 @@ fn viewpoint(
     }
 }
 
+/// Triangles beside the splats, if there are any.
+fn mesh(
+    vertices: Option<&Bound<'_, PyAny>>,
+    faces: Option<&Bound<'_, PyAny>>,
+    normals: Option<&Bound<'_, PyAny>>,
+    colors: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Option<Mesh>> {
+    match (vertices, faces) {
+        (Some(vertices), Some(faces)) => Ok(Some(Mesh {
+            vertices: rows("vertices", vertices)?,
+            faces: triples("faces", faces)?,
+            normals: normals.map(|normals| rows("vertex_normals", normals)).transpose()?,
+            colors: colors.map(|colors| rows("vertex_colors", colors)).transpose()?,
+        })),
+        (None, None) if normals.is_none() && colors.is_none() => Ok(None),
+        _ => Err(wrong("triangles need vertices and faces: expected both, or neither".to_owned())),
+    }
+}
+
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (points, radii, normals=None, colors=None, *, two_sided=false, width=512, height=512,
-        background=[0.0; 3], eye=None, target=None, fov_degrees=None, direction=None, up=None, frames=1))]
+    #[pyo3(signature = (points, radii, normals=None, colors=None, *, two_sided=false, vertices=None, faces=None,
+        vertex_normals=None, vertex_colors=None, width=512, height=512, background=[0.0; 3], eye=None, target=None, fov_degrees=None, direction=None, up=None, frames=1))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn new(
         points: &Bound<'_, PyAny>,
@@ -47,6 +66,10 @@ impl Scene {
         normals: Option<&Bound<'_, PyAny>>,
         colors: Option<&Bound<'_, PyAny>>,
         two_sided: bool,
+        vertices: Option<&Bound<'_, PyAny>>,
+        faces: Option<&Bound<'_, PyAny>>,
+        vertex_normals: Option<&Bound<'_, PyAny>>,
+        vertex_colors: Option<&Bound<'_, PyAny>>,
         width: i64,
         height: i64,
         background: [f64; 3],
@@ -72,7 +95,8 @@ impl Scene {
             background,
             frames: whole("frames", frames)?,
         };
-        detached(points.py(), || pointcore_bindings::Scene::new(&splats, &view)).map(Self)
+        let mesh = mesh(vertices, faces, vertex_normals, vertex_colors)?;
+        detached(points.py(), || pointcore_bindings::Scene::new(&splats, mesh.as_ref(), &view)).map(Self)
     }
 
     /// Loads a scene file, or a model that a camera fits.

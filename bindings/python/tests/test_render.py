@@ -65,6 +65,42 @@ def test_a_camera_finds_the_scene_and_splats_without_normals_face_it():
     assert frame.mask.mean() > 0.4
 
 
+def curtain():
+    """A blue triangle before the right half of the sphere."""
+    vertices = np.float32([[0, -9, 2], [9, 0, 2], [0, 9, 2]])
+    return {"vertices": vertices, "faces": np.array([[0, 1, 2]]), "vertex_colors": np.tile([0.0, 0.0, 1.0], (3, 1))}
+
+
+@pytest.mark.parametrize("lockstep", [False, True])
+def test_triangles_hide_splats_and_are_in_the_picture(lockstep):
+    backend = "verilog" if lockstep else "golden"
+    frame = pointcore.render(scene(**curtain()), backend=backend, lockstep=lockstep)
+    plain = pointcore.render(scene())
+    assert not frame.mask[:, 20:].any() and plain.mask[:, 20:].any()
+    np.testing.assert_array_equal(frame.mask[:, :20], plain.mask[:, :20])
+    np.testing.assert_array_equal(frame.picture[:, :20], plain.picture[:, :20])
+    # Its highlight is white.
+    assert (frame.picture[16, 20:30, 2] > 200).all() and (frame.picture[16, 20:30, :2] < 100).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"faces": np.array([[0, 1, 3]])}, r"face 0 is \[0, 1, 3\]: expected indices below 3"),
+        ({"faces": np.array([[0, 1, -1]])}, "faces has -1: expected indices"),
+        ({"faces": np.array([[0.0, 1.0, 2.0]])}, "faces has dtype float64: expected whole numbers"),
+        ({"faces": np.array([0, 1, 2])}, r"faces has shape \(3,\): expected \(N, 3\)"),
+        ({"faces": [[0, 1, 2]]}, "faces is of type list"),
+        ({"faces": None}, "triangles need vertices and faces"),
+        ({"vertex_normals": np.zeros((2, 3))}, "there are 2 vertex normals: expected 3"),
+    ],
+    ids=str,
+)
+def test_faults_of_triangles_are_named(change, message):
+    with pytest.raises(pointcore.InputError, match=message):
+        scene(**(curtain() | change))
+
+
 def test_a_scene_is_loaded_from_a_model(tmp_path):
     model = tmp_path / "sphere.xyz"
     np.savetxt(model, sphere())

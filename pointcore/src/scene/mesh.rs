@@ -42,6 +42,35 @@ impl Triangle {
         Self { corners, ..*self }
     }
 
+    /// The faces between points, with their colors as linear RGB. Without normals a point has the mean of those of the faces around it.
+    ///
+    /// # Errors
+    /// A face has a point that there is not; no point has a normal.
+    pub fn of_faces(
+        points: &[DVec3],
+        faces: &[[u32; 3]],
+        normals: Option<&[DVec3]>,
+        color: impl Fn(usize) -> [f32; 3],
+    ) -> Result<Vec<Self>, String> {
+        let count = points.len();
+        let is_whole = |face: &[u32; 3]| face.iter().all(|index| (*index as usize) < count);
+        if let Some(place) = faces.iter().position(|face| !is_whole(face)) {
+            return Err(format!("face {place} is {:?}: expected indices below {count}", faces[place]));
+        }
+        if faces.is_empty() {
+            return Ok(vec![]);
+        }
+        let normals = match normals {
+            Some(normals) => normals::normalize(points, normals)?,
+            None => normals::normalize(points, &normals::of_triangles(points, faces))?,
+        };
+        let corner = |index: u32| {
+            let index = index as usize;
+            Corner { place: points[index], normal: normals[index], color: color(index) }
+        };
+        Ok(faces.iter().map(|face| Self { corners: face.map(corner), material: 0 }).collect())
+    }
+
     /// Its corners, for a camera that is to see them.
     pub(super) fn extent(&self) -> [Disc; 3] {
         self.corners.map(|corner| Disc::about(corner.place, corner.normal, 0.0))
@@ -88,12 +117,12 @@ pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec
         normal: posture.rotation * corner.normal,
         ..corner
     };
-    let triangle = |corners: [Corner; 3]| Triangle { corners: corners.map(placed), material: object.material };
+    let triangle = |Triangle { corners, .. }| Triangle { corners: corners.map(placed), material: object.material };
     Ok(triangles.into_iter().map(triangle).collect())
 }
 
 /// The faces of a file.
-fn of_file(object: &ObjectTable, path: &Path) -> Result<Vec<[Corner; 3]>, SceneError> {
+fn of_file(object: &ObjectTable, path: &Path) -> Result<Vec<Triangle>, SceneError> {
     let fault = |problem| SceneError::model(path, problem);
     let model = Model::load(path)?;
     if model.triangles.is_empty() {
@@ -101,22 +130,15 @@ fn of_file(object: &ObjectTable, path: &Path) -> Result<Vec<[Corner; 3]>, SceneE
             "holds no faces, which `draw = \"triangles\"` needs: leave it out to draw splats".to_owned(),
         ));
     }
-    let normals = match model.given_normals(object.normals.unwrap_or_default()).map_err(fault)? {
-        Some((normals, _)) => normals,
-        None => normals::of_triangles(&model.points, &model.triangles),
-    };
-    let normals = normals::normalize(&model.points, &normals).map_err(fault)?;
+    let normals = model.given_normals(object.normals.unwrap_or_default()).map_err(fault)?.map(|(normals, _)| normals);
     let own = if object.color.is_some() { None } else { model.colors.as_ref() };
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
-    let corner = |index: u32| {
-        let index = index as usize;
-        Corner { place: model.points[index], normal: normals[index], color: own.map_or(color, |colors| colors[index]) }
-    };
-    Ok(model.triangles.iter().map(|triangle| triangle.map(corner)).collect())
+    let color = |index: usize| own.map_or(color, |colors| colors[index]);
+    Triangle::of_faces(&model.points, &model.triangles, normals.as_deref(), color).map_err(fault)
 }
 
 /// Two triangles for each check of a plane, or for all of it.
-fn plane(object: &ObjectTable) -> Result<Vec<[Corner; 3]>, Problem> {
+fn plane(object: &ObjectTable) -> Result<Vec<Triangle>, Problem> {
     let size = positive(required(object.size, "size", Kind::Plane)?, "size")?;
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
     let other = linear(object.checker_color.or(object.color).unwrap_or(DEFAULT_COLOR));
@@ -134,7 +156,8 @@ fn plane(object: &ObjectTable) -> Result<Vec<[Corner; 3]>, Problem> {
             let place = size * (DVec2::new(x, y) - 0.5);
             Corner { place: DVec3::new(place.x, 0.0, place.y), normal: DVec3::Y, color }
         };
-        [[[0, 0], [0, 1], [1, 1]], [[0, 0], [1, 1], [1, 0]]].map(|triangle| triangle.map(corner))
+        [[[0, 0], [0, 1], [1, 1]], [[0, 0], [1, 1], [1, 0]]]
+            .map(|triangle| Triangle { corners: triangle.map(corner), material: 0 })
     };
     Ok(quads.flat_map(quad).collect())
 }
