@@ -33,7 +33,9 @@ fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) 
     let program = folder.join(format!("obj_dir/V{core}_test"));
     if !program.exists() {
         let compiled = Command::new("verilator")
-            .args(["--binary", "--x-initial", "unique", "-CFLAGS", "-O0", "--top-module", &format!("{core}_test")])
+            .args(["--binary", "--x-initial", "unique", "--top-module", &format!("{core}_test")])
+            // Runs are short. What `-CFLAGS` says of optimization, Verilator's makefile takes back.
+            .args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_GLOBAL=-O0"])
             .arg(format!("{core}_test.sv"))
             .args(design)
             .current_dir(folder)
