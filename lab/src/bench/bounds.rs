@@ -9,6 +9,7 @@ use pointcore::splat::{EncodedFrame, SplatCore, SplatReport, SplatRunner};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::path::Path;
+use std::slice;
 
 /// Scenes with the statistics of the thesis' table 5.3.
 pub(super) const TABLE_SCENES: [&str; 3] = ["bench/table53_1", "bench/table53_2", "bench/table53_3"];
@@ -41,7 +42,7 @@ fn scene_figures(path: &str, scan: Option<&Path>) -> Result<Figures, LabError> {
         note!("{name}: golden model, {count} rasterizers");
         let rasterizers = (RASTERIZERS_KEY, i64::from(count).into());
         let (key, value) = PAYLOAD_IN_MEMORY;
-        let on_chip = frame_figures(name, &scene, &plan_with(&scene, &[rasterizers.clone()])?)?;
+        let on_chip = frame_figures(name, &scene, &plan_with(&scene, slice::from_ref(&rasterizers))?)?;
         let in_memory = payload_figures(name, &scene, &plan_with(&scene, &[rasterizers, (key, value.into())])?)?;
         for (key, value) in on_chip.into_iter().chain(in_memory) {
             figures.insert(format!("splat.{name}.n{count}.{key}"), value);
