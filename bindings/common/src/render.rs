@@ -204,7 +204,9 @@ mod tests {
         let vertices = vec![[0.0, f64::NAN, 0.0]; 3];
         assert!(message(Mesh { vertices, ..curtain() }).starts_with("vertex 0 is"));
         let flat = Mesh { vertices: vec![[1.0; 3]; 3], ..curtain() };
-        assert!(message(flat).contains("normals"));
+        assert!(message(flat).starts_with("no face has an area"));
+        let normals = Some(vec![[0.0, 0.0, f64::NAN], [0.0; 3], [0.0; 3]]);
+        assert!(message(Mesh { normals, ..curtain() }).starts_with("all vertex normals are zero"));
     }
 
     #[test]

@@ -58,7 +58,8 @@ fn mesh(
 impl Scene {
     #[new]
     #[pyo3(signature = (points, radii, normals=None, colors=None, *, two_sided=false, vertices=None, faces=None,
-        vertex_normals=None, vertex_colors=None, width=512, height=512, background=[0.0; 3], eye=None, target=None, fov_degrees=None, direction=None, up=None, frames=1))]
+        vertex_normals=None, vertex_colors=None, width=512, height=512, background=[0.0; 3], eye=None, target=None,
+        fov_degrees=None, direction=None, up=None, frames=1))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn new(
         points: &Bound<'_, PyAny>,

@@ -3,6 +3,7 @@
 use super::disc::Disc;
 use super::error::SceneError;
 use super::file::{CameraTable, DerivedDirection, ImageTable, Light, LightDirection, LightTable, Material, SceneFile};
+use super::mesh::TRIANGLE_LIMIT;
 use super::mesh::{Corner, Triangle};
 use super::{SPLAT_LIMIT, Scene, assemble};
 use pointcore_contract::Sampling;
@@ -133,8 +134,12 @@ impl SceneBuilder {
         let Self { discs, triangles, file } = self;
         let value = |(key, problem): (String, String)| SceneError::Value { path: PathBuf::from(NAME), key, problem };
         assemble::check(&file).map_err(value)?;
-        if discs.len() > SPLAT_LIMIT {
-            return Err(value(("discs".to_owned(), format!("are {}: expected up to {SPLAT_LIMIT}", discs.len()))));
+        for (count, limit, what) in
+            [(discs.len(), SPLAT_LIMIT, "discs"), (triangles.len(), TRIANGLE_LIMIT, "triangles")]
+        {
+            if count > limit {
+                return Err(value((what.to_owned(), format!("are {count}: expected up to {limit}"))));
+            }
         }
         let materials = file.materials.len().max(1);
         let is_good = |disc: &Disc| {

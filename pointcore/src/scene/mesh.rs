@@ -62,7 +62,9 @@ impl Triangle {
         }
         let normals = match normals {
             Some(normals) => normals::normalize(points, normals)?,
-            None => normals::normalize(points, &normals::of_triangles(points, faces))?,
+            None => normals::normalize(points, &normals::of_triangles(points, faces)).map_err(|_| {
+                "no face has an area, of which normals would follow: expected one, or normals".to_owned()
+            })?,
         };
         let corner = |index: u32| {
             let index = index as usize;
