@@ -204,9 +204,9 @@ mod tests {
         let vertices = vec![[0.0, f64::NAN, 0.0]; 3];
         assert!(message(Mesh { vertices, ..curtain() }).starts_with("vertex 0 is"));
         let flat = Mesh { vertices: vec![[1.0; 3]; 3], ..curtain() };
-        assert!(message(flat).starts_with("no face has an area"));
+        assert!(message(flat).starts_with("no face has an area: without one"));
         let normals = Some(vec![[0.0, 0.0, f64::NAN], [0.0; 3], [0.0; 3]]);
-        assert!(message(Mesh { normals, ..curtain() }).starts_with("all vertex normals are zero"));
+        assert!(message(Mesh { normals, ..curtain() }).starts_with("all normals are zero: without any"));
     }
 
     #[test]

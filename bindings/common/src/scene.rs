@@ -146,11 +146,6 @@ fn triangles(mesh: &Mesh) -> Result<Vec<Triangle>, BindingError> {
         (0..count).map(|index| linear("vertex color", colors.as_ref(), index)).collect::<Result<_, _>>()?;
     let vectors = |rows: &[[f64; 3]]| rows.iter().map(|row| DVec3::from_array(*row)).collect::<Vec<_>>();
     let normals = normals.as_deref().map(vectors);
-    let has_none = |normals: &Vec<DVec3>| normals.iter().all(|normal| normal.try_normalize().is_none());
-    if count > 0 && normals.as_ref().is_some_and(has_none) {
-        let problem = "all vertex normals are zero: expected one that is not, or none for those of the faces";
-        return Err(BindingError::input(problem));
-    }
     Triangle::of_faces(&vectors(vertices), faces, normals.as_deref(), |index| colors[index])
         .map_err(BindingError::input)
 }

@@ -9,6 +9,7 @@ use super::model::Model;
 use super::normals;
 use super::object::{DEFAULT_COLOR, Posture, linear, positive, required};
 use glam::{DVec2, DVec3};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Twice as many as the largest scan of splats: a mesh has as many faces to its vertices.
@@ -60,12 +61,15 @@ impl Triangle {
         if faces.is_empty() {
             return Ok(vec![]);
         }
-        let normals = match normals {
-            Some(normals) => normals::normalize(points, normals)?,
-            None => normals::normalize(points, &normals::of_triangles(points, faces)).map_err(|_| {
-                "no face has an area, of which normals would follow: expected one, or normals".to_owned()
-            })?,
+        let (normals, problem) = match normals {
+            Some(normals) => {
+                (Cow::Borrowed(normals), "all normals are zero: without any, those of the faces are taken")
+            }
+            None => {
+                (Cow::Owned(normals::of_triangles(points, faces)), "no face has an area: without one, give normals")
+            }
         };
+        let normals = normals::normalize(points, &normals).map_err(|_| problem.to_owned())?;
         let corner = |index: u32| {
             let index = index as usize;
             Corner { place: points[index], normal: normals[index], color: color(index) }
