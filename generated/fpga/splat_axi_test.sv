@@ -391,6 +391,7 @@ module splat_axi_test;
     reg in_run = 1'b0;
     reg [1:0] in_run_before = 2'd0;
     reg saw_answer = 1'b0;
+    reg was_reset = 1'b0;
     reg [EVENTS*EVENT_BITS-1:0] events_1, events_2;
     reg [31:0] event_count [0:EVENTS-1];
     reg [31:0] run_cycles = 32'd0;
@@ -400,6 +401,8 @@ module splat_axi_test;
 
     always @(posedge clk) begin
         saw_answer <= s_axil_bvalid && !s_axil_bready;
+        was_reset <= rst;
+        if (was_reset && irq !== 1'b0) $fatal(1, "FAILED: irq during reset");
         events_1 <= events;
         events_2 <= events_1;
         in_run_before <= {in_run_before[0], begins_run || in_run};
@@ -452,9 +455,16 @@ module splat_axi_test;
         .item({send_last, send_data}), .take(send_take), .valid(send_tvalid), .ready(send_tready),
         .payload({send_tlast, send_tdata})
     );
-    always @(posedge clk) if (send_take) begin
-        packet_beat <= send_last ? 0 : packet_beat + 1;
-        if (send_last) packets_given <= packets_given + 1;
+    always @(posedge clk) begin
+        if (send_take) begin
+            packet_beat <= send_last ? 0 : packet_beat + 1;
+            if (send_last) packets_given <= packets_given + 1;
+        end
+        // A reset takes back what was to be sent.
+        if (rst) begin
+            packet_beat <= 0;
+            packets_given <= packets_asked;
+        end
     end
 
     // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet

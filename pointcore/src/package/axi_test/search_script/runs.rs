@@ -21,6 +21,8 @@ const TREE_BASES: [u32; 2] = [0xc35a_9000, 0x3ca5_6000];
 pub const SETTLE_CYCLES: u32 = 300;
 /// Cycles of the longest run.
 const LONG_RUN_CYCLES: u32 = 70_000;
+/// Resets while packets come: from the first one to beyond the last.
+const RESETS: u32 = 10;
 /// Queries of a run that lacks others.
 pub const FEW: usize = 3;
 /// A channel hardly moves.
@@ -53,9 +55,14 @@ impl<'a> Host<'a> {
     pub fn enter(&mut self, placement: usize) {
         self.now = placement;
         self.place(None);
-        self.control.set("points_base", POINTS_BASES[placement]);
-        self.control.set("tree_base", TREE_BASES[placement]);
+        self.set_up();
         self.control.script.write(CONTROL, RESET);
+    }
+
+    /// Sets all that a reset takes back.
+    fn set_up(&mut self) {
+        self.control.set("points_base", POINTS_BASES[self.now]);
+        self.control.set("tree_base", TREE_BASES[self.now]);
         self.control.script.write(INTERRUPT_ENABLE, 1);
         let setup = Reuse::default().setup(self.config.geometry, QueryKind::Ball);
         self.control.set("cache_ball", setup.ball.into());
@@ -151,6 +158,19 @@ impl<'a> Host<'a> {
         self.start(self.searches.count() as u32);
         self.control.script.wait_received(0);
         self.control.finish(self.searches.count());
+    }
+
+    /// A reset of one cycle while packets come, each time a cycle later: nothing is left of any of them.
+    pub fn reset_somewhere(&mut self) {
+        for cycles in 0..RESETS {
+            self.control.script.pauses(Pauses::None);
+            self.start(u32::MAX);
+            (0..FEW.min(self.searches.count())).for_each(|index| self.send(index));
+            self.control.script.wait(cycles);
+            self.control.script.reset(1);
+            self.set_up();
+            self.run_all();
+        }
     }
 
     /// A run whose end no interrupt tells.

@@ -1,14 +1,14 @@
 //! Points, queries, and what the golden model finds, at places all over the point memory.
 
-use crate::number::encode;
+use crate::number::{decode, encode};
 use crate::search::{
     MemorySettings, Neighbor, PointSet, Query, Reuse, SearchEngine, SearchError, Session, Splitting, Tree,
 };
 use fastrand::Rng;
 use pointcore_contract::bus::units::chunk_records;
-use pointcore_contract::fields;
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{CachedQuery, CachedResult, Points};
+use pointcore_contract::{Format, fields};
 use std::collections::{BTreeMap, HashMap};
 
 /// Points of the tree, unless the hardware holds less.
@@ -61,16 +61,20 @@ impl Searches {
                 break;
             }
         }
-        let asked = queries(config, &tree, points.points(), &mut random);
+        // A neighbor cache searches balls that are larger, and hands out all that it finds.
+        let plain = Config { neighbor_cache: 0, ..config.clone() };
+        let session = Session::open(plain, tree.clone(), MemorySettings::default(), SearchEngine::Golden)?;
+        let mut asked = queries(config, &tree, points.points(), &mut random);
+        if config.neighbor_cache == 0 {
+            let nearest = session.search(&asked)?.neighbors;
+            bound(config.geometry, &mut asked, &nearest);
+        }
         let reuse = Reuse::default();
         let encode_one = |(index, query): (usize, &Query)| Ok(query.encode(config, reuse, index)?.sent);
         let sent = asked.iter().enumerate().map(encode_one).collect::<Result<Vec<_>, SearchError>>()?;
-        // A neighbor cache searches balls that are larger, and hands out all that it finds.
-        let plain = Config { neighbor_cache: 0, ..config.clone() };
         let alpha = if config.neighbor_cache > 0 { reuse.alpha } else { 1.0 };
         let larger = |query: &Query| Query { radius: query.radius.map(|radius| radius * alpha), ..*query };
         let searched: Vec<_> = asked.iter().map(larger).collect();
-        let session = Session::open(plain, tree.clone(), MemorySettings::default(), SearchEngine::Golden)?;
         let found = session.search(&searched)?.neighbors;
         Ok(Self { tree, sent, found })
     }
@@ -143,12 +147,23 @@ fn queries(config: &Config, tree: &Tree, points: &[[f32; 3]], random: &mut Rng) 
         }
         // One of them asks for all that the core finds.
         let k = if queries.len() == 1 { config.neighbors } else { random.u32(1..=config.neighbors.min(LARGEST_K)) };
-        // Without a neighbor cache what comes of a ball without points is not specified but for `found`.
-        let nearest = points.iter().map(|other| distance2(*other, point)).fold(f32::INFINITY, f32::min).sqrt();
-        let radius = if is_cached { Some(RADIUS) } else { (queries.len() % 3 == 2).then_some(nearest + RADIUS) };
-        queries.push(Query { point, k, radius });
+        queries.push(Query { point, k, radius: is_cached.then_some(RADIUS) });
     }
     queries
+}
+
+/// Has every third query ask within a ball that ends at the farthest of its neighbors, or right behind it. What comes of a ball
+/// without points is not specified but for `found`, so one neighbor lies within at least.
+fn bound(format: Format, queries: &mut [Query], nearest: &[Vec<Neighbor>]) {
+    for (index, (query, found)) in queries.iter_mut().zip(nearest).enumerate().skip(2).step_by(3) {
+        if let [nearest, .., farthest] = &found[..]
+            && nearest.distance2 < farthest.distance2
+        {
+            let behind = index as u32 / 3 % 2;
+            let radius2 = encode(format, farthest.distance2) + behind;
+            query.radius = Some(decode(format, radius2).sqrt());
+        }
+    }
 }
 
 impl Placement {
