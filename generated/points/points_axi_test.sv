@@ -148,7 +148,7 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module points_axi_test;
-    localparam WORDS = 18636, ANSWERS = 16;
+    localparam WORDS = 20384, ANSWERS = 16;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "points_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 14, EVENT_BITS = 1;

@@ -31,6 +31,8 @@ const QUERIES: usize = 16;
 const ITERATIONS: u32 = 3;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 4;
+/// Runs that a reset ends somewhere.
+const RESETS: u32 = 4;
 /// Cycles of a reset.
 const RESET_CYCLES: u32 = 5;
 /// Cycles in which what is under way comes to rest.
@@ -279,6 +281,25 @@ impl Host<'_> {
 
     /// A run that is aborted somewhere on its way.
     fn abort_somewhere(&mut self) {
+        let sent = self.begin_somewhere();
+        self.control.script.write(CONTROL, ABORT);
+        self.control.script.wait_interrupt();
+        self.control.check_counters(sent);
+        self.control.script.expect(&[]);
+        self.control.script.check_quiet(0);
+    }
+
+    /// A run that a reset of one cycle ends somewhere on its way, and one of which the reset leaves nothing.
+    fn reset_somewhere(&mut self) {
+        self.begin_somewhere();
+        self.control.script.reset(1);
+        self.control.script.expect(&[]);
+        self.enter();
+        self.run(Pauses::Some);
+    }
+
+    /// Begins a run and sends some of its queries; returns how many.
+    fn begin_somewhere(&mut self) -> usize {
         self.control.script.pauses(Pauses::Some);
         self.expect(0..QUERIES);
         let sent = self.control.script.random.usize(1..QUERIES);
@@ -287,11 +308,7 @@ impl Host<'_> {
         self.control.script.wait_sent();
         let cycles = self.control.script.random.u32(..SETTLE_CYCLES);
         self.control.script.wait(cycles);
-        self.control.script.write(CONTROL, ABORT);
-        self.control.script.wait_interrupt();
-        self.control.check_counters(sent);
-        self.control.script.expect(&[]);
-        self.control.script.check_quiet(0);
+        sent
     }
 
     /// A broken packet is counted, and what follows is right.
@@ -333,6 +350,7 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     host.give_unasked();
     host.send_broken();
     (0..ABORTS).for_each(|_| host.abort_somewhere());
+    (0..RESETS).for_each(|_| host.reset_somewhere());
     host.run(Pauses::Some);
     registers::start_after_reset(host.control.script, &map);
     host.control.script.reset(RESET_CYCLES);

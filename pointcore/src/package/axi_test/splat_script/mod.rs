@@ -22,6 +22,8 @@ const RESET_CYCLES: u32 = 5;
 const PAUSING: u32 = 4;
 /// Runs that are aborted somewhere.
 const ABORTS: u32 = 4;
+/// Frames that a reset ends somewhere.
+const RESETS: u32 = 4;
 
 /// The bits of a fragment's first two words that name its tile.
 pub fn tile_mask(config: &Config) -> u64 {
@@ -60,6 +62,7 @@ pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError
     host.abort_within_packet();
     host.abort_held();
     (0..ABORTS).for_each(|_| host.abort_somewhere());
+    (0..RESETS).for_each(|_| host.reset_somewhere());
     host.run(Pauses::None);
     registers::start_after_reset(host.control.script, &map);
     host.control.script.reset(RESET_CYCLES);

@@ -344,6 +344,27 @@ impl<'a> Host<'a> {
 
     /// A frame that is aborted somewhere on its way.
     pub fn abort_somewhere(&mut self) {
+        let sent = self.begin_somewhere();
+        self.control.script.write(CONTROL, ABORT);
+        self.control.script.wait_interrupt();
+        self.control.check_counters(sent);
+        self.control.script.expect(&[]);
+        self.control.script.check_quiet(0);
+        self.control.script.errors(DONE);
+        // The end of a frame may have left before.
+    }
+
+    /// A frame that a reset of one cycle ends somewhere on its way, and one of which the reset leaves nothing.
+    pub fn reset_somewhere(&mut self) {
+        self.begin_somewhere();
+        self.control.script.reset(1);
+        self.control.script.expect(&[]);
+        self.enter(self.now);
+        self.run(Pauses::Some);
+    }
+
+    /// Begins a frame and sends some of its packets; returns how many.
+    fn begin_somewhere(&mut self) -> usize {
         self.control.script.pauses(Pauses::Some);
         self.expect();
         self.control.start();
@@ -352,12 +373,6 @@ impl<'a> Host<'a> {
         self.control.script.wait_sent();
         let cycles = self.control.script.random.u32(..2 * SETTLE_CYCLES);
         self.control.script.wait(cycles);
-        self.control.script.write(CONTROL, ABORT);
-        self.control.script.wait_interrupt();
-        self.control.check_counters(sent);
-        self.control.script.expect(&[]);
-        self.control.script.check_quiet(0);
-        self.control.script.errors(DONE);
-        // The end of a frame may have left before.
+        sent
     }
 }
