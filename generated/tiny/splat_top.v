@@ -3605,7 +3605,7 @@ module splat_tile_cache (
     reg [63:0] wanted_rest;
     reg [2:0] wanted_row;
     reg [7:0] wanted_left;
-    reg wanted_surface;
+    reg any_wanted, wanted_surface;
     reg [7:0] wanted_tile;
     reg wanted_leaves;
     reg [5:0] awaited_fills, awaited_leaving;
@@ -3615,6 +3615,7 @@ module splat_tile_cache (
     reg [63:0] leaving_rest;
     reg [2:0] leaving_row;
     reg [7:0] leaving_left;
+    reg any_leaving;
     reg [3:0] owed;
     reg [1:0] next;
     reg [7:0] tile_0;
@@ -3687,18 +3688,16 @@ module splat_tile_cache (
     wire leaving_place_both_7 = leaving_left[7] & ~(leaving_place_either_7 | leaving_left[6]);
     wire [2:0] leaving_place = leaving_place_either_8 | {3{leaving_place_both_7}};
     wire asked_runs_out_leaves = asked_runs_out_data[18];
-    wire leaving_is_empty = (leaving_rest == 64'd0) & (leaving_left == 8'd0);
     wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
-    wire may_fill_either = leaving_is_empty | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
+    wire may_fill_either = ~any_leaving | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
     wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
     wire fills = filling & ~fills_shifted[0];
     wire may_fill = moving & may_fill_either & (~filling | fills);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
     wire may_leave = |seen_mask & ~seen_stays;
-    wire wanted_is_empty = (wanted_rest == 64'd0) & (wanted_left == 8'd0);
     wire end_waits_either = looking | |unchanged;
-    wire sends = look_is_seen & may_leave & (wanted_is_empty & ~(end_waits_either | missed) & ~mask_is_kept);
+    wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
     wire surface_xor_frame_is_given = surface ^ frame_is_given;
     wire [8:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
     wire head_waits = head_valid & ~clearing;
@@ -3727,14 +3726,14 @@ module splat_tile_cache (
     wire looks_at_none = ~(look_reads | (look_is_shown | look_is_seen));
     wire frame_leaves_and_looks_at_none = frame_leaves & looks_at_none;
     wire closes_both = frame_leaves_and_looks_at_none & (frame_is_given & ~any_next_place & ~gone_tiles_out_valid);
-    wire closes_both_2 = ~(wanted_leaves & ~wanted_is_empty) & (awaited_leaving == 6'd0) & pixel_queue_in_ready;
+    wire closes_both_2 = ~(wanted_leaves & any_wanted) & (awaited_leaving == 6'd0) & pixel_queue_in_ready;
     wire closes = closes_both & closes_both_2;
     wire beat = takes_data & data_valid;
     wire visible = asked_runs_out_leaves & beat & |data_weight;
     wire [7:0] asked_runs_out_tile = asked_runs_out_data[17:10];
     wire [5:0] coming_pixel = asked_runs_out_pixel + {3'd0, came};
-    wire done_both = (wanted_leaves | wanted_is_empty) & (awaited_fills == 6'd0) & (~filling & (gone_tiles_in_ready | ~goes));
-    wire done = moving & (leaving_is_empty & (owed == 4'd0) & done_both);
+    wire done_both = (wanted_leaves | ~any_wanted) & (awaited_fills == 6'd0) & (~filling & (gone_tiles_in_ready | ~goes));
+    wire done = moving & (~any_leaving & (owed == 4'd0) & done_both);
     wire draws_what_leaves = frame_leaves & ~frame_is_given;
     wire looks = frame_leaves_and_looks_at_none | (sends | (look_is_seen & ~may_leave));
     wire asks = |wanted_left & (read_queue_in_ready & asked_runs_in_ready);
@@ -3784,7 +3783,7 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[21:18];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[17:14];
     wire [5:0] in_queue_out_splat = in_queue_out_data[5:0];
-    wire start = misses & (wanted_is_empty & ~sends);
+    wire start = misses & (~any_wanted & ~sends);
     wire next_is_0 = next == 2'd0;
     wire next_is_1 = next == 2'd1;
     wire next_is_2 = next == 2'd2;
@@ -3802,82 +3801,82 @@ module splat_tile_cache (
         wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
         wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
     };
-    wire [7:0] wanted_row_ends_both = wanted_left & ~({8{asks}} & wanted_run);
-    wire wanted_row_ends = wanted_row_ends_both == 8'd0;
+    wire [7:0] wanted_left_both = wanted_left & ~({8{asks}} & wanted_run);
+    wire wanted_row_ends = wanted_left_both == 8'd0;
     wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
     wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
     wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
     wire wanted_row_either_4 = wanted_row_either_3 | |wanted_rest[39:32];
     wire wanted_row_either_5 = wanted_row_either_4 | |wanted_rest[47:40];
     wire wanted_row_both = |wanted_rest[63:56] & ~(wanted_row_either_5 | |wanted_rest[55:48]);
-    wire [7:0] wanted_rest_bits = {8{wanted_row_both}};
+    wire [7:0] wanted_left_bits = {8{wanted_row_both}};
     wire wanted_row_both_2 = |wanted_rest[55:48] & ~wanted_row_either_5;
-    wire [7:0] wanted_rest_bits_2 = {8{wanted_row_both_2}};
+    wire [7:0] wanted_left_bits_2 = {8{wanted_row_both_2}};
     wire wanted_row_both_3 = |wanted_rest[47:40] & ~wanted_row_either_4;
-    wire [7:0] wanted_rest_bits_3 = {8{wanted_row_both_3}};
+    wire [7:0] wanted_left_bits_3 = {8{wanted_row_both_3}};
     wire wanted_row_both_4 = |wanted_rest[39:32] & ~wanted_row_either_3;
-    wire [7:0] wanted_rest_bits_4 = {8{wanted_row_both_4}};
+    wire [7:0] wanted_left_bits_4 = {8{wanted_row_both_4}};
     wire wanted_row_both_5 = |wanted_rest[31:24] & ~wanted_row_either_2;
-    wire [7:0] wanted_rest_bits_5 = {8{wanted_row_both_5}};
+    wire [7:0] wanted_left_bits_5 = {8{wanted_row_both_5}};
     wire wanted_row_both_6 = |wanted_rest[23:16] & ~wanted_row_either;
-    wire [7:0] wanted_rest_bits_6 = {8{wanted_row_both_6}};
+    wire [7:0] wanted_left_bits_6 = {8{wanted_row_both_6}};
     wire wanted_row_both_7 = |wanted_rest[15:8] & ~(|wanted_rest[7:0]);
-    wire [7:0] wanted_rest_bits_7 = {8{wanted_row_both_7}};
-    wire [7:0] wanted_rest_bits_8 = {8{|wanted_rest[7:0]}};
-    wire [63:0] wanted_rest_bits_9 = {
-        wanted_rest_bits, wanted_rest_bits_2, wanted_rest_bits_3, wanted_rest_bits_4, wanted_rest_bits_5,
-        wanted_rest_bits_6, wanted_rest_bits_7, wanted_rest_bits_8
+    wire [7:0] wanted_left_bits_7 = {8{wanted_row_both_7}};
+    wire [7:0] wanted_left_bits_8 = {8{|wanted_rest[7:0]}};
+    wire [63:0] wanted_rest_bits = {
+        wanted_left_bits, wanted_left_bits_2, wanted_left_bits_3, wanted_left_bits_4, wanted_left_bits_5,
+        wanted_left_bits_6, wanted_left_bits_7, wanted_left_bits_8
     };
     wire [2:0] wanted_row_either_6 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
     wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
     wire [2:0] wanted_row_either_8 = wanted_row_either_7 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
-    wire [7:0] wanted_left_either = (wanted_rest_bits_8 & wanted_rest[7:0]) | (wanted_rest_bits_7 & wanted_rest[15:8]);
-    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_rest_bits_6 & wanted_rest[23:16]) | (wanted_rest_bits_5 & wanted_rest[31:24]);
-    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_rest_bits_4 & wanted_rest[39:32]) | (wanted_rest_bits_3 & wanted_rest[47:40]);
-    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_rest_bits_2 & wanted_rest[55:48]) | (wanted_rest_bits & wanted_rest[63:56]);
+    wire [7:0] wanted_left_either = (wanted_left_bits_8 & wanted_rest[7:0]) | (wanted_left_bits_7 & wanted_rest[15:8]);
+    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_left_bits_6 & wanted_rest[23:16]) | (wanted_left_bits_5 & wanted_rest[31:24]);
+    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_left_bits_4 & wanted_rest[39:32]) | (wanted_left_bits_3 & wanted_rest[47:40]);
+    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_left_bits_2 & wanted_rest[55:48]) | (wanted_left_bits & wanted_rest[63:56]);
     wire fill_pixel_enable_both = beat & ~asked_runs_out_leaves;
     wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
     wire drains = offers_drain & ~drains_shifted[0];
-    wire [7:0] leaving_row_ends_bits = {
+    wire [7:0] leaving_left_bits = {
         leaving_place_both_7, leaving_place_both_6, leaving_place_both_5, leaving_place_both_4,
         leaving_place_both_3, leaving_place_both_2, leaving_place_both, leaving_left[0]
     };
-    wire [7:0] leaving_row_ends_both = leaving_left & ~({8{drains}} & leaving_row_ends_bits);
-    wire leaving_row_ends = leaving_row_ends_both == 8'd0;
+    wire [7:0] leaving_left_both = leaving_left & ~({8{drains}} & leaving_left_bits);
+    wire leaving_row_ends = leaving_left_both == 8'd0;
     wire leaving_row_either = |leaving_rest[7:0] | |leaving_rest[15:8];
     wire leaving_row_either_2 = leaving_row_either | |leaving_rest[23:16];
     wire leaving_row_either_3 = leaving_row_either_2 | |leaving_rest[31:24];
     wire leaving_row_either_4 = leaving_row_either_3 | |leaving_rest[39:32];
     wire leaving_row_either_5 = leaving_row_either_4 | |leaving_rest[47:40];
     wire leaving_row_both = |leaving_rest[63:56] & ~(leaving_row_either_5 | |leaving_rest[55:48]);
-    wire [7:0] leaving_rest_bits = {8{leaving_row_both}};
+    wire [7:0] leaving_left_bits_2 = {8{leaving_row_both}};
     wire leaving_row_both_2 = |leaving_rest[55:48] & ~leaving_row_either_5;
-    wire [7:0] leaving_rest_bits_2 = {8{leaving_row_both_2}};
+    wire [7:0] leaving_left_bits_3 = {8{leaving_row_both_2}};
     wire leaving_row_both_3 = |leaving_rest[47:40] & ~leaving_row_either_4;
-    wire [7:0] leaving_rest_bits_3 = {8{leaving_row_both_3}};
+    wire [7:0] leaving_left_bits_4 = {8{leaving_row_both_3}};
     wire leaving_row_both_4 = |leaving_rest[39:32] & ~leaving_row_either_3;
-    wire [7:0] leaving_rest_bits_4 = {8{leaving_row_both_4}};
+    wire [7:0] leaving_left_bits_5 = {8{leaving_row_both_4}};
     wire leaving_row_both_5 = |leaving_rest[31:24] & ~leaving_row_either_2;
-    wire [7:0] leaving_rest_bits_5 = {8{leaving_row_both_5}};
+    wire [7:0] leaving_left_bits_6 = {8{leaving_row_both_5}};
     wire leaving_row_both_6 = |leaving_rest[23:16] & ~leaving_row_either;
-    wire [7:0] leaving_rest_bits_6 = {8{leaving_row_both_6}};
+    wire [7:0] leaving_left_bits_7 = {8{leaving_row_both_6}};
     wire leaving_row_both_7 = |leaving_rest[15:8] & ~(|leaving_rest[7:0]);
-    wire [7:0] leaving_rest_bits_7 = {8{leaving_row_both_7}};
-    wire [7:0] leaving_rest_bits_8 = {8{|leaving_rest[7:0]}};
-    wire [63:0] leaving_rest_bits_9 = {
-        leaving_rest_bits, leaving_rest_bits_2, leaving_rest_bits_3, leaving_rest_bits_4, leaving_rest_bits_5,
-        leaving_rest_bits_6, leaving_rest_bits_7, leaving_rest_bits_8
+    wire [7:0] leaving_left_bits_8 = {8{leaving_row_both_7}};
+    wire [7:0] leaving_left_bits_9 = {8{|leaving_rest[7:0]}};
+    wire [63:0] leaving_rest_bits = {
+        leaving_left_bits_2, leaving_left_bits_3, leaving_left_bits_4, leaving_left_bits_5,
+        leaving_left_bits_6, leaving_left_bits_7, leaving_left_bits_8, leaving_left_bits_9
     };
     wire [2:0] leaving_row_either_6 = ({3{leaving_row_both_7}} & 3'd1) | ({3{leaving_row_both_6}} & 3'd2);
     wire [2:0] leaving_row_either_7 = leaving_row_either_6 | ({3{leaving_row_both_5}} & 3'd3) | ({3{leaving_row_both_4}} & 3'd4);
     wire [2:0] leaving_row_either_8 = leaving_row_either_7 | ({3{leaving_row_both_3}} & 3'd5) | ({3{leaving_row_both_2}} & 3'd6);
-    wire [7:0] leaving_left_either = (leaving_rest_bits_8 & leaving_rest[7:0]) | (leaving_rest_bits_7 & leaving_rest[15:8]);
-    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_rest_bits_6 & leaving_rest[23:16]);
-    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_rest_bits_5 & leaving_rest[31:24]);
-    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_rest_bits_4 & leaving_rest[39:32]);
-    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_rest_bits_3 & leaving_rest[47:40]);
-    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_rest_bits_2 & leaving_rest[55:48]);
-    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_rest_bits & leaving_rest[63:56]);
+    wire [7:0] leaving_left_either = (leaving_left_bits_9 & leaving_rest[7:0]) | (leaving_left_bits_8 & leaving_rest[15:8]);
+    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_left_bits_7 & leaving_rest[23:16]);
+    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_left_bits_6 & leaving_rest[31:24]);
+    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_left_bits_5 & leaving_rest[39:32]);
+    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_left_bits_4 & leaving_rest[47:40]);
+    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_left_bits_3 & leaving_rest[55:48]);
+    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_left_bits_2 & leaving_rest[63:56]);
     wire pixel_leaves = write_valid & write_ready;
     wire starts = job_starts;
     wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
@@ -4037,6 +4036,7 @@ module splat_tile_cache (
             moving <= 1'd0;
             wanted_rest <= 64'd0;
             wanted_left <= 8'd0;
+            any_wanted <= 1'd0;
             wanted_leaves <= 1'd0;
             awaited_fills <= 6'd0;
             awaited_leaving <= 6'd0;
@@ -4045,6 +4045,7 @@ module splat_tile_cache (
             taken_banks <= 2'd0;
             leaving_rest <= 64'd0;
             leaving_left <= 8'd0;
+            any_leaving <= 1'd0;
             owed <= 4'd0;
             next <= 2'd0;
             resident_0 <= 1'd0;
@@ -4085,12 +4086,14 @@ module splat_tile_cache (
             looking <= job_starts;
             unchanged <= still_unchanged | {2{looking}};
             changed <= change;
-            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_row_ends_both;
+            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_left_both;
+            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | |mask)));
             awaited_fills <= (awaited_fills + {5'd0, asks & ~wanted_leaves}) - {5'd0, run_ends & ~asked_runs_out_leaves};
             awaited_leaving <= (awaited_leaving + {5'd0, asks & wanted_leaves}) - {5'd0, run_ends & asked_runs_out_leaves};
             filling <= fill_pixel_enable_both | (filling & ~fills);
             taken_banks <= sample_writes;
-            leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_row_ends_both;
+            leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_left_both;
+            any_leaving <= ~leaving_row_ends | (|leaving_rest | (mask_is_kept & |masks_dirty));
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
             used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
             used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
@@ -4111,12 +4114,12 @@ module splat_tile_cache (
             if (clearing) cleared <= cleared + 9'd1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
-                wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits_9);
+                wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
             end
             if (begins) wanted_leaves <= sends;
             if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
             if (mask_is_kept | leaving_row_ends) begin
-                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits_9);
+                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits);
             end
             if (turns) next <= next_is_3 ? 2'd0 : (next + 2'd1);
             if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
@@ -5641,12 +5644,12 @@ module splat_splitter (
     reg [2:0] left, right, top, bottom;
     reg [9:0] first_sum_here, first_sum_row_begins;
     reg [3:0] first_sum;
-    reg [9:0] past_sum_here, past_sum_row_begins;
-    reg [3:0] past_sum;
+    reg [9:0] last_sum_here, last_sum_row_begins;
+    reg [4:0] last_sum;
     reg [9:0] first_difference_here, first_difference_row_begins;
     reg [3:0] first_difference;
-    reg [9:0] past_difference_here, past_difference_row_begins;
-    reg [3:0] past_difference;
+    reg [9:0] last_difference_here, last_difference_row_begins;
+    reg [4:0] last_difference;
     reg first;
 
     wire out_queue_in_ready;
@@ -5654,32 +5657,48 @@ module splat_splitter (
 
     wire ready = out_queue_in_ready & open;
     wire step = out_queue_in_ready & busy;
-    wire [3:0] bottom_plus_1 = {1'd0, bottom} + 4'd1;
-    wire [3:0] occupied_choice = (past_sum < {1'd0, left}) ? 4'd0 : (past_sum - {1'd0, left});
-    wire [3:0] occupied_choice_2 = ({1'd1, right} < first_difference) ? 4'd0 : ({1'd1, right} - first_difference);
-    wire occupied_both = ({1'd0, top} < bottom_plus_1) & ({1'd0, top} < occupied_choice) & ({1'd0, top} < occupied_choice_2);
-    wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
-    wire [4:0] occupied_choice_3 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
-    wire [3:0] occupied_choice_4 = (first_sum < {1'd0, right}) ? 4'd0 : (first_sum - {1'd0, right});
-    wire occupied_both_2 = occupied_both & ({1'd0, top} < occupied_choice_3[4:1]) & (occupied_choice_4 < bottom_plus_1);
-    wire occupied_both_3 = occupied_both_2 & (occupied_choice_4 < occupied_choice) & (occupied_choice_4 < occupied_choice_2);
-    wire [3:0] occupied_choice_5 = ({1'd1, left} < past_difference) ? 4'd0 : ({1'd1, left} - past_difference);
-    wire occupied_both_4 = occupied_both_3 & (occupied_choice_4 < occupied_choice_3[4:1]) & (occupied_choice_5 < bottom_plus_1);
-    wire occupied_both_5 = occupied_both_4 & (occupied_choice_5 < occupied_choice) & (occupied_choice_5 < occupied_choice_2);
-    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
-    wire [4:0] occupied_choice_6 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
-    wire occupied_both_6 = occupied_both_5 & (occupied_choice_5 < occupied_choice_3[4:1]) & (occupied_choice_6[4:1] < bottom_plus_1);
-    wire occupied_both_7 = occupied_both_6 & (occupied_choice_6[4:1] < occupied_choice) & (occupied_choice_6[4:1] < occupied_choice_2);
-    wire occupied_both_8 = occupied_both_7 & (occupied_choice_6[4:1] < occupied_choice_3[4:1]);
+    wire [4:0] occupied_difference = {~last_sum[4], last_sum[3:0]} - {2'd0, left};
+    wire occupied_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= occupied_difference);
+    wire [4:0] occupied_sum = {2'd3, right} + ~{1'd0, first_difference};
+    wire [5:0] occupied_sum_2 = {1'd1, last_sum[3] & ~last_sum[4], ~last_sum[3], last_sum[2:0]} + ~{2'd0, first_difference};
+    wire occupied_both_2 = occupied_both & ({2'd2, top} <= occupied_sum) & ({2'd2, top} <= occupied_sum_2[5:1]);
+    wire [4:0] occupied_difference_2 = {1'd1, first_sum} - {2'd0, right};
+    wire occupied_both_3 = occupied_both_2 & (occupied_difference_2 <= {2'd2, bottom}) & (occupied_difference_2 <= occupied_difference);
+    wire occupied_both_4 = occupied_both_3 & (occupied_difference_2 <= occupied_sum) & (occupied_difference_2 <= occupied_sum_2[5:1]);
+    wire [4:0] occupied_sum_3 = {2'd3, left} + ~last_difference;
+    wire occupied_both_5 = occupied_both_4 & (occupied_sum_3 <= {2'd2, bottom}) & (occupied_sum_3 <= occupied_difference);
+    wire occupied_both_6 = occupied_both_5 & (occupied_sum_3 <= occupied_sum) & (occupied_sum_3 <= occupied_sum_2[5:1]);
+    wire [5:0] occupied_difference_3 = {1'd1, first_sum[3], ~first_sum[3], first_sum[2:0]} - {last_difference[4], last_difference};
+    wire occupied_both_7 = occupied_both_6 & (occupied_difference_3[5:1] <= {2'd2, bottom}) & (occupied_difference_3[5:1] <= occupied_difference);
+    wire occupied_both_8 = occupied_both_7 & (occupied_difference_3[5:1] <= occupied_sum) & (occupied_difference_3[5:1] <= occupied_sum_2[5:1]);
     wire occupied = splat_end | occupied_both_8;
     wire push = step & occupied;
-    wire [3:0] out_queue_in_data_choice = ({1'd0, top} < occupied_choice_4) ? occupied_choice_4 : {1'd0, top};
-    wire [3:0] out_queue_in_data_choice_2 = (occupied_choice_5 < occupied_choice_6[4:1]) ? occupied_choice_6[4:1] : occupied_choice_5;
-    wire [3:0] out_queue_in_data_choice_3 = (out_queue_in_data_choice < out_queue_in_data_choice_2) ? out_queue_in_data_choice_2 : out_queue_in_data_choice;
-    wire [3:0] out_queue_in_data_choice_4 = (bottom_plus_1 < occupied_choice) ? bottom_plus_1 : occupied_choice;
-    wire [3:0] out_queue_in_data_choice_5 = (occupied_choice_2 < occupied_choice_3[4:1]) ? occupied_choice_2 : occupied_choice_3[4:1];
-    wire [3:0] out_queue_in_data_choice_6 = (out_queue_in_data_choice_4 < out_queue_in_data_choice_5) ? out_queue_in_data_choice_4 : out_queue_in_data_choice_5;
-    wire [3:0] out_queue_in_data_difference = out_queue_in_data_choice_6 - 4'd1;
+    wire out_queue_in_data_in_order = occupied_difference_2 <= {2'd2, top};
+    wire out_queue_in_data_in_order_2 = occupied_sum_3 <= {2'd2, top};
+    wire out_queue_in_data_in_order_3 = occupied_difference_3[5:1] <= {2'd2, top};
+    wire out_queue_in_data_both = out_queue_in_data_in_order & out_queue_in_data_in_order_2 & out_queue_in_data_in_order_3;
+    wire out_queue_in_data_in_order_4 = occupied_sum_3 <= occupied_difference_2;
+    wire out_queue_in_data_in_order_5 = occupied_difference_3[5:1] <= occupied_difference_2;
+    wire out_queue_in_data_both_2 = ~out_queue_in_data_in_order & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
+    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & occupied_difference_2);
+    wire out_queue_in_data_in_order_6 = occupied_difference_3[5:1] <= occupied_sum_3;
+    wire out_queue_in_data_both_3 = ~out_queue_in_data_in_order_2 & ~out_queue_in_data_in_order_4 & out_queue_in_data_in_order_6;
+    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & occupied_sum_3);
+    wire out_queue_in_data_both_4 = ~out_queue_in_data_in_order_3 & ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_6;
+    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & occupied_difference_3[5:1]);
+    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= occupied_difference;
+    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= occupied_sum;
+    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= occupied_sum_2[5:1];
+    wire out_queue_in_data_both_5 = out_queue_in_data_in_order_7 & out_queue_in_data_in_order_8 & out_queue_in_data_in_order_9;
+    wire out_queue_in_data_in_order_10 = occupied_difference <= occupied_sum;
+    wire out_queue_in_data_in_order_11 = occupied_difference <= occupied_sum_2[5:1];
+    wire out_queue_in_data_both_6 = ~out_queue_in_data_in_order_7 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
+    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & occupied_difference);
+    wire out_queue_in_data_in_order_12 = occupied_sum <= occupied_sum_2[5:1];
+    wire out_queue_in_data_both_7 = ~out_queue_in_data_in_order_8 & ~out_queue_in_data_in_order_10 & out_queue_in_data_in_order_12;
+    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & occupied_sum);
+    wire out_queue_in_data_both_8 = ~out_queue_in_data_in_order_9 & ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_12;
+    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & occupied_sum_2[5:1]);
     wire take = ready & in_valid;
     wire moves = take | step;
     wire one_column = in_left[6:3] == in_right[6:3];
@@ -5696,18 +5715,20 @@ module splat_splitter (
     wire [9:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
     wire [9:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 10'd8;
     wire [9:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 10'd8);
-    wire [9:0] past_sum_row_begins_difference = ({2'd0, in_last_sum} + 10'd1) - first_sum_row_begins_sum;
-    wire [9:0] past_sum_row_begins_minus_8 = past_sum_row_begins - 10'd8;
-    wire [9:0] past_sum_next = take ? past_sum_row_begins_difference : wraps ? past_sum_row_begins_minus_8 : (past_sum_here - 10'd8);
-    wire [9:0] past_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[6:3], 3'd0};
-    wire [9:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - past_difference_row_begins_sum;
+    wire [9:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
+    wire [9:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 10'd8;
+    wire [9:0] last_sum_next = take ? last_sum_row_begins_difference : wraps ? last_sum_row_begins_minus_8 : (last_sum_here - 10'd8);
+    wire [3:0] last_sum_choice = (|last_sum_next[8:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
+    wire [9:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[6:3], 3'd0};
+    wire [9:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
     wire [9:0] first_difference_row_begins_sum = first_difference_row_begins + 10'd8;
     wire [9:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 10'd8);
     wire [9:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
-    wire [9:0] past_difference_row_begins_difference = ({2'd0, in_last_difference} + 10'd1) - past_difference_row_begins_sum;
-    wire [9:0] past_difference_row_begins_sum_2 = past_difference_row_begins + 10'd8;
-    wire [9:0] past_difference_next_choice = wraps ? past_difference_row_begins_sum_2 : (past_difference_here - 10'd8);
-    wire [9:0] past_difference_next = take ? past_difference_row_begins_difference : past_difference_next_choice;
+    wire [9:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
+    wire [9:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 10'd8;
+    wire [9:0] last_difference_next_choice = wraps ? last_difference_row_begins_sum_2 : (last_difference_here - 10'd8);
+    wire [9:0] last_difference_next = take ? last_difference_row_begins_difference : last_difference_next_choice;
+    wire [3:0] last_difference_choice = (|last_difference_next[8:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
 
     assign in_ready = ready;
     assign {
@@ -5722,9 +5743,9 @@ module splat_splitter (
         .in_data({
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
-            splat_attribute_1, splat_attribute_2, left, right, out_queue_in_data_choice_3[2:0],
-            out_queue_in_data_difference[2:0], first_sum, past_sum - 4'd1, first_difference,
-            past_difference - 4'd1, row, column
+            splat_attribute_1, splat_attribute_2, left, right, out_queue_in_data_either_3[2:0],
+            out_queue_in_data_either_6[2:0], first_sum, last_sum[3:0], first_difference, last_difference[3:0],
+            row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -5768,12 +5789,12 @@ module splat_splitter (
             right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
             first_sum_here <= first_sum_next;
             first_sum <= first_sum_next[9] ? 4'd0 : |first_sum_next[8:4] ? 4'd15 : first_sum_next[3:0];
-            past_sum_here <= past_sum_next;
-            past_sum <= past_sum_next[9] ? 4'd0 : |past_sum_next[8:4] ? 4'd15 : past_sum_next[3:0];
+            last_sum_here <= last_sum_next;
+            last_sum <= {last_sum_next[9], {4{last_sum_next[9]}} | last_sum_choice};
             first_difference_here <= first_difference_next;
             first_difference <= first_difference_next[9] ? 4'd0 : |first_difference_next[8:4] ? 4'd15 : first_difference_next[3:0];
-            past_difference_here <= past_difference_next;
-            past_difference <= past_difference_next[9] ? 4'd0 : |past_difference_next[8:4] ? 4'd15 : past_difference_next[3:0];
+            last_difference_here <= last_difference_next;
+            last_difference <= {last_difference_next[9], {4{last_difference_next[9]}} | last_difference_choice};
         end
         if (take_or_wraps) begin
             bottom_most <= take ? one_row : reaches_bottom;
@@ -5781,16 +5802,16 @@ module splat_splitter (
             top <= take ? in_top[2:0] : 3'd0;
             bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
             first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            past_sum_row_begins <= take ? past_sum_row_begins_difference : past_sum_row_begins_minus_8;
+            last_sum_row_begins <= take ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
             first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            past_difference_row_begins <= take ? past_difference_row_begins_difference : past_difference_row_begins_sum_2;
+            last_difference_row_begins <= take ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
         end
         first <= take | (first & ~push);
     end
 
     wire _unused = &{
-        1'b0, occupied_choice_3[0], occupied_choice_6[0], out_queue_in_data_choice_3[3],
-        out_queue_in_data_difference[3]
+        1'b0, occupied_difference_3[0], occupied_sum_2[0], out_queue_in_data_either_3[4:3],
+        out_queue_in_data_either_6[4:3]
     };
 endmodule
 

@@ -17,25 +17,37 @@ fn tile_of(pixel: Expr) -> Expr {
     pixel.bits(pixel.width() - 1, LOCAL_BITS)
 }
 
-/// `a − b`, at least 0.
-fn less(a: Expr, b: Expr) -> Expr {
-    a.lt(b).mux(lit(a.width(), 0), a - b)
+/// Of the values, the first that `reaches` all others: every pair is compared at the same time.
+fn extreme<const N: usize>(values: [Expr; N], reaches: fn(Expr, Expr) -> Expr) -> Expr {
+    let beats = |place: usize, other: usize| match other < place {
+        true => !reaches(values[other], values[place]),
+        false => reaches(values[place], values[other]),
+    };
+    let chosen = (0..N).map(|place| {
+        let is_extreme =
+            (0..N).filter(|other| *other != place).map(|other| beats(place, other)).reduce(|all, one| all & one);
+        is_extreme.expect("there are others").repeat(values[place].width()) & values[place]
+    });
+    chosen.reduce(|all, one| all | one).expect("there are values")
 }
 
-fn larger(a: Expr, b: Expr) -> Expr {
-    a.lt(b).mux(b, a)
+/// What a tile has of the first sum or difference, from 0 to one past its last one; `place` counts from the tile's first pixel and has
+/// a sign.
+fn first_within(place: Expr) -> Expr {
+    let [none, all] = [lit(DIAGONAL_BITS, 0), !lit(DIAGONAL_BITS, 0)];
+    place.msb().mux(none, is_beyond(place).mux(all, place.trunc(DIAGONAL_BITS)))
 }
 
-fn smaller(a: Expr, b: Expr) -> Expr {
-    a.lt(b).mux(a, b)
+/// What a tile has of the last one, from −1 to its own last, with a sign.
+fn last_within(place: Expr) -> Expr {
+    let low = place.trunc(DIAGONAL_BITS);
+    let last = (is_beyond(place) | low.all()).mux(lit(DIAGONAL_BITS, 2 * (TILE_SIZE as u128 - 1)), low);
+    cat([place.msb(), place.msb().repeat(DIAGONAL_BITS) | last])
 }
 
-/// What a tile has of a limit, the first one or one past the last, in [`DIAGONAL_BITS`]; `place` counts from the tile's first pixel and
-/// has a sign.
-fn within_tile(place: Expr) -> Expr {
-    let beyond = place.bits(place.width() - 2, DIAGONAL_BITS).any();
-    let none = lit(DIAGONAL_BITS, 0);
-    place.msb().mux(none, beyond.mux(!none, place.trunc(DIAGONAL_BITS)))
+/// A place that is not negative has more than [`DIAGONAL_BITS`].
+fn is_beyond(place: Expr) -> Expr {
+    place.bits(place.width() - 2, DIAGONAL_BITS).any()
 }
 
 /// When the splitter begins with a splat, goes to the next tile, and whether that is the first one of a row.
@@ -45,12 +57,15 @@ struct Steps {
     wraps: Expr,
 }
 
-/// What the octagon has of the current tile, from [`within_tile`].
+/// Bits of a row that is counted from 16 above the tile, so that those which limits lead to have no sign.
+const ROW_BITS: u32 = DIAGONAL_BITS + 1;
+
+/// What the octagon has of the current tile, from [`first_within`] and [`last_within`].
 struct Diagonals {
     first_sum: Expr,
-    past_sum: Expr,
+    last_sum: Expr,
     first_difference: Expr,
-    past_difference: Expr,
+    last_difference: Expr,
 }
 
 impl Diagonals {
@@ -58,7 +73,7 @@ impl Diagonals {
     /// the tile before, or at the beginning of its row.
     fn new(m: &mut Module, config: &Config, arriving: &SetupSplat<Wires>, steps: &Steps) -> Self {
         let Steps { take, moves, wraps } = *steps;
-        // One past the last, and a sign.
+        // One beyond, and a sign.
         let width = config.diagonal_bits() + 2;
         let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
         let left = tile_of(arriving.bounds.left);
@@ -72,59 +87,71 @@ impl Diagonals {
         let sums = |place: Expr| place.sub_lit(TILE_SIZE.into());
         let differences = |place: Expr| place.add_lit(TILE_SIZE.into());
         let limits = arriving.diagonals;
-        let mut register = |name: &str, limit: Expr, past: u128, origin: Expr, below: fn(Expr) -> Expr| {
-            let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
-            let first = limit.zext(width).add_lit(past) - origin;
-            let below = below(row_begins.expr());
-            m.next_if(row_begins, take | wraps, take.mux(first, below));
-            let next = m.wire(&format!("{name}_next"), take.mux(first, wraps.mux(below, here.sub_lit(tile_pixels))));
-            m.next_if(here, moves, next);
-            held(m, name, moves, within_tile(next))
-        };
+        let mut register =
+            |name: &str, limit: Expr, origin: Expr, below: fn(Expr) -> Expr, within: fn(Expr) -> Expr| {
+                let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
+                let first = limit.zext(width) - origin;
+                let below = below(row_begins.expr());
+                m.next_if(row_begins, take | wraps, take.mux(first, below));
+                let next =
+                    m.wire(&format!("{name}_next"), take.mux(first, wraps.mux(below, here.sub_lit(tile_pixels))));
+                m.next_if(here, moves, next);
+                held(m, name, moves, within(next))
+            };
+        let [sum, difference] = [row, !row].map(origin);
         Self {
-            first_sum: register("first_sum", limits.first_sum, 0, origin(row), sums),
-            past_sum: register("past_sum", limits.last_sum, 1, origin(row), sums),
-            first_difference: register("first_difference", limits.first_difference, 0, origin(!row), differences),
-            past_difference: register("past_difference", limits.last_difference, 1, origin(!row), differences),
+            first_sum: register("first_sum", limits.first_sum, sum, sums, first_within),
+            last_sum: register("last_sum", limits.last_sum, sum, sums, last_within),
+            first_difference: register(
+                "first_difference",
+                limits.first_difference,
+                difference,
+                differences,
+                first_within,
+            ),
+            last_difference: register("last_difference", limits.last_difference, difference, differences, last_within),
         }
     }
 
-    /// What limits the rows that have a pixel between the edges' columns, from above and, one past the last, from below: in others, one of
-    /// what limits a row from the left lies behind one of what limits it from the right.
+    /// What limits the rows that have a pixel between the edges' columns, from above and from below: in others, one of what limits a row
+    /// from the left lies behind one of what limits it from the right. Each is a single sum: −a = !a + 1, a tile's size is added to bits.
     fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
-        let Self { first_sum, past_sum, first_difference, past_difference } = *self;
-        let wide = |value: Expr| value.zext(DIAGONAL_BITS);
+        let Self { first_sum, last_sum, first_difference, last_difference } = *self;
         let pixel = |column: Expr| match config.sampling.columns().ilog2() {
             LOCAL_BITS => lit(LOCAL_BITS, 0),
             sample_bits => column.bits(LOCAL_BITS - 1, sample_bits).zext(LOCAL_BITS),
         };
         let [first, last] = [pixel(edges.left), pixel(edges.right)];
-        let from_below = |column: Expr| cat([lit(1, 1), column]);
-        let half = |sum: Expr, constant: u128, other: Expr| {
-            let sum = sum.zext(DIAGONAL_BITS + 1).add_lit(constant);
-            less(sum, other.zext(DIAGONAL_BITS + 1)).bits(DIAGONAL_BITS, 1)
-        };
+        let one = lit(1, 1);
+        let row = |place: Expr| cat([one, place.zext(DIAGONAL_BITS)]);
+        // One that has a sign, and a column with a tile's size.
+        let signed = |place: Expr| cat([!place.msb(), place.trunc(DIAGONAL_BITS)]);
+        let from_below = |column: Expr| cat([one, one, column]);
+        let wide = |place: Expr| place.zext(ROW_BITS);
+        // With a tile's size.
+        let twice = |above: Expr, place: Expr| cat([one, above, !place.bit(LOCAL_BITS), place.trunc(LOCAL_BITS)]);
+        let half = |sum: Expr| sum.bits(ROW_BITS, 1);
         let tops = [
-            wide(edges.top),
-            less(first_sum, wide(last)),
-            less(from_below(first), past_difference),
-            half(first_sum, TILE_SIZE as u128 + 1, past_difference),
+            row(edges.top),
+            row(first_sum) - wide(last),
+            from_below(first) + !last_difference,
+            half(twice(first_sum.msb(), first_sum) - last_difference.sext(ROW_BITS + 1)),
         ];
-        let pasts = [
-            wide(edges.bottom).add_lit(1),
-            less(past_sum, wide(first)),
-            less(from_below(last), first_difference),
-            half(past_sum, TILE_SIZE as u128, first_difference),
+        let bottoms = [
+            row(edges.bottom),
+            signed(last_sum) - wide(first),
+            from_below(last) + !wide(first_difference),
+            half(twice(last_sum.bit(LOCAL_BITS) & !last_sum.msb(), last_sum) + !first_difference.zext(ROW_BITS + 1)),
         ];
-        [tops, pasts]
+        [tops, bottoms]
     }
 
     fn of_tile(&self) -> TileDiagonals<Wires> {
         TileDiagonals {
             first_sum: self.first_sum,
-            last_sum: self.past_sum.sub_lit(1),
+            last_sum: self.last_sum.trunc(DIAGONAL_BITS),
             first_difference: self.first_difference,
-            last_difference: self.past_difference.sub_lit(1),
+            last_difference: self.last_difference.trunc(DIAGONAL_BITS),
         }
     }
 }
@@ -219,16 +246,16 @@ pub fn module(config: &Config) -> Module {
     let edges = walk.edges;
     let steps = Steps { take, moves, wraps: walk.wraps };
     let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
-    let [tops, pasts] = diagonals.rows(&edges, config);
+    let [tops, bottoms] = diagonals.rows(&edges, config);
     // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
-    let none_behind = tops.into_iter().flat_map(|top| pasts.map(|past| top.lt(past))).reduce(|all, one| all & one);
+    let pairs = tops.into_iter().flat_map(|top| bottoms.map(|bottom| bottom.ge(top)));
+    let none_behind = pairs.reduce(|all, one| all & one);
     let occupied = m.wire("occupied", splat.end | none_behind.expect("there are pairs"));
     let push = m.wire("push", step & occupied);
     let first = m.reg("first", 1);
     m.next(first, take | (first & !push));
-    let [[a, b, c, d], [e, f, g, h]] = [tops, pasts];
-    let top = larger(larger(a, b), larger(c, d)).trunc(LOCAL_BITS);
-    let bottom = smaller(smaller(e, f), smaller(g, h)).sub_lit(1).trunc(LOCAL_BITS);
+    let top = extreme(tops, |top, other| top.ge(other)).trunc(LOCAL_BITS);
+    let bottom = extreme(bottoms, |bottom, other| other.ge(bottom)).trunc(LOCAL_BITS);
     let copy = SplatCopy {
         end: splat.end,
         first: *first,

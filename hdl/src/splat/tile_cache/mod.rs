@@ -63,7 +63,7 @@ fn place_copy(
     let missed = m.reg_reset("missed", 1, 0);
     m.next(missed, misses);
     // A tile that leaves goes first only in the first cycle of a miss.
-    let start = m.wire("start", misses & (state.wanted.is_empty & !sends));
+    let start = m.wire("start", misses & (state.wanted.is_empty() & !sends));
 
     let waits = m.wire("end_waits", (ready & end) & state.no_job());
     let switch = m.wire("switches", (waits & frame_leaves) & !directory.any_resident);
@@ -93,7 +93,7 @@ fn follow_job(
     directory: &Directory,
     (tile, sample_reads, room): (Expr, Expr, Expr),
 ) -> JobSteps {
-    let has_left = state.leaving.is_empty & state.owed.is_zero();
+    let has_left = state.leaving.is_empty() & state.owed.is_zero();
     let unchanged = m.wire("still_unchanged", state.unchanged & sample_reads);
     let change = m.wire("change", state.unchanged.any() & unchanged.is_zero());
     m.next(state.unchanged, unchanged | state.looking.repeat(SLOT_BANKS));
@@ -225,7 +225,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
         mask: stored.shown,
         is_pending: pending.is_shown,
         is_held: (directory.holds(is_place) | head_holds) | (goes & is_place(goes_tile)),
-        may_want: state.wanted.is_empty & !((state.looking | state.unchanged.any()) | placement.missed),
+        may_want: state.wanted.is_empty() & !((state.looking | state.unchanged.any()) | placement.missed),
         all_left: state.all_left() & pixel.room,
     };
     let leaves = leaving.update(&mut m, config, &around, &waiting);
@@ -241,6 +241,8 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let moves = Begins {
         asks: begins,
         mask: leaves.sends.mux(*leaving.mask, *state.mask),
+        // None is sent of a tile without any.
+        any_asked: leaves.sends | state.mask.any(),
         drains: state.changed & state.goes,
         dirty: masks.dirty,
         closes: leaves.closes,

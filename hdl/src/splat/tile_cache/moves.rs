@@ -78,7 +78,7 @@ fn take(
     let run = asked.record;
     let place = m.wire("coming_pixel", run.pixel + state.came.zext(PIXEL_BITS));
     let row = run.pixel.bits(PIXEL_BITS - 1, LOCAL_BITS);
-    let vacated = state.leaving.is_empty | state.leaving.is_behind(row);
+    let vacated = state.leaving.is_empty() | state.leaving.is_behind(row);
     let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
     let fills = m.wire("fills", state.filling & !is_in(*state.taken_banks, *fill_pixel));
     let may_fill = m.wire("may_fill", (state.moving & vacated) & (!state.filling | fills));
@@ -105,9 +105,10 @@ fn take(
 
 /// Cycles in which pixels begin to move.
 pub(super) struct Begins {
-    /// Those of `mask` are asked for.
+    /// Those of `mask` are asked for, of which there are `any_asked`.
     pub asks: Expr,
     pub mask: Expr,
+    pub any_asked: Expr,
     /// Those of `dirty` leave the slot.
     pub drains: Expr,
     pub dirty: Expr,
@@ -127,9 +128,9 @@ pub(super) fn exchange(
     let banks = PORTS.sample_writes.declare_word(m, state.taken_banks.width());
     m.next(state.taken_banks, banks);
     let (asked, asks, asked_bits) = ask(m, config, state);
-    state.wanted.update(m, begins.asks, begins.mask, asked_bits);
+    state.wanted.update(m, begins.asks, (begins.mask, begins.any_asked), asked_bits);
     let drained_bits = drain(m, config, state, sample_reads);
-    state.leaving.update(m, begins.drains, begins.dirty, drained_bits);
+    state.leaving.update(m, begins.drains, (begins.dirty, begins.dirty.any()), drained_bits);
     let ends = take(m, config, state, &asked, pixel, begins.closes);
     let count = |m: &mut Module, awaited: Reg, leaves: [Expr; 2]| {
         let width = awaited.width();

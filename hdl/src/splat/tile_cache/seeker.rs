@@ -11,8 +11,8 @@ pub(super) struct Seeker {
     rest: Reg,
     row: Reg,
     left: Reg,
-    /// No pixel is left.
-    pub is_empty: Expr,
+    /// Pixels are left.
+    any: Reg,
 }
 
 /// The first pixels that are left.
@@ -51,8 +51,13 @@ impl Seeker {
         let rest = m.reg_reset(&format!("{name}_rest"), TILE_PIXELS, 0);
         let row = m.reg(&format!("{name}_row"), LOCAL_BITS);
         let left = m.reg_reset(&format!("{name}_left"), TILE_SIZE, 0);
-        let is_empty = m.wire(&format!("{name}_is_empty"), rest.is_zero() & left.is_zero());
-        Self { name, rest, row, left, is_empty }
+        let any = m.reg_reset(&format!("any_{name}"), 1, 0);
+        Self { name, rest, row, left, any }
+    }
+
+    /// No pixel is left.
+    pub fn is_empty(&self) -> Expr {
+        !self.any
     }
 
     /// Whether the row in which pixels are found comes behind another.
@@ -84,8 +89,9 @@ impl Seeker {
         }
     }
 
-    /// States how the registers change: it takes a mask in cycles where `begins` is set, or loses the pixels `taken` of its row.
-    pub fn update(&self, m: &mut Module, begins: Expr, mask: Expr, taken: Expr) {
+    /// States how the registers change: it takes a mask, which holds `any_pixel`, in cycles where `begins` is set, or loses the pixels
+    /// `taken` of its row.
+    pub fn update(&self, m: &mut Module, begins: Expr, (mask, any_pixel): (Expr, Expr), taken: Expr) {
         let name = self.name;
         let row = |place: u32| self.rest.bits(TILE_SIZE * place + TILE_SIZE - 1, TILE_SIZE * place);
         let rows = TILE_PIXELS / TILE_SIZE;
@@ -98,5 +104,6 @@ impl Seeker {
         m.next(self.left, ends.mux(next_left, left));
         m.next_if(self.row, ends, number(LOCAL_BITS, next.iter().copied()));
         m.next_if(self.rest, begins | ends, begins.mux(mask, self.rest & !chosen));
+        m.next(self.any, !ends | (self.rest.any() | (begins & any_pixel)));
     }
 }

@@ -89,12 +89,12 @@ impl State {
 
     /// The slot of the job waits for nothing that comes.
     pub fn all_came(&self) -> Expr {
-        (self.wanted_leaves | self.wanted.is_empty) & self.awaited_fills.is_zero()
+        (self.wanted_leaves | self.wanted.is_empty()) & self.awaited_fills.is_zero()
     }
 
     /// Nothing that leaves is on its way from memory.
     pub fn all_left(&self) -> Expr {
-        !(self.wanted_leaves & !self.wanted.is_empty) & self.awaited_leaving.is_zero()
+        !(self.wanted_leaves & !self.wanted.is_empty()) & self.awaited_leaving.is_zero()
     }
 
     /// The tile that the job takes out of its slot.
