@@ -12,6 +12,7 @@ use pointcore_contract::splat::records::Fragment;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, Waveform, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, VerilogSource};
+use rayon::prelude::*;
 
 use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, moving_configs, scene, stalls};
 use crate::support;
@@ -65,7 +66,9 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         Config { rasterizers: 2, memory_ports: 2, payload: PayloadStore::Memory, payload_beats: 2, ..bare },
         Config { rasterizers: 4, memory_ports: 2, ..mixed },
     ];
-    for config in configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs()) {
+    let all: Vec<_> =
+        configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs()).collect();
+    all.into_par_iter().for_each(|config| {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));
         let mut frame = frames(&config, RECORDS);
@@ -96,7 +99,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         let stall = Stall::Random(0.2);
         let runner = SplatRunner { stall, seed, ..SplatRunner::new(&config, &frame) };
         is_seen_at_ports(&runner.hardware(&library, None).unwrap_or_else(|error| panic!("{error}")), &twice);
-    }
+    });
 }
 
 /// What memory holds decides which fragments leave, and nothing else does.

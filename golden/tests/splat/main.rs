@@ -12,6 +12,7 @@ use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Feature, F
 use pointcore_contract::{Format, Rendering, Splat};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_golden::splat::Latencies;
+use rayon::prelude::*;
 use scenes::{CAMERA, RENDERING, chaos, disc, sphere};
 
 fn config() -> Config {
@@ -83,7 +84,7 @@ fn a_frame_depends_on_its_input_alone() {
         Latencies { transform: 1, setup: 1, rasterizer: 1, weighting: 1, normalizer: 1 },
         Latencies { transform: 90, setup: 200, rasterizer: 70, weighting: 30, normalizer: 60 },
     ];
-    for (index, config) in configs.iter().enumerate() {
+    configs.par_iter().enumerate().for_each(|(index, config)| {
         let stalls = Stalls::Random(seed + index as u64);
         let mut bench = bench(config, &latencies[index % latencies.len()], stalls);
         let mut frames = bench.render(&[splats.clone(), splats.clone()]);
@@ -95,7 +96,7 @@ fn a_frame_depends_on_its_input_alone() {
         for (frame, fragments) in frames.iter().enumerate() {
             assert!(*fragments == expected, "frame {frame} differs under {stalls:?} with {config:?}");
         }
-    }
+    });
 }
 
 #[test]

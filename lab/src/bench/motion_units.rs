@@ -15,6 +15,9 @@ const RTL_CASES: u64 = 100_000;
 /// Cases with one source of randomness.
 const BATCH: u64 = 2_000;
 
+/// What came of a configuration's cases.
+type Measured = (Tally, lockstep::Report);
+
 /// Measures both units on cases of all families.
 ///
 /// # Errors
@@ -30,16 +33,18 @@ pub fn figures(figures: &mut Figures) -> Result<(), LabError> {
 pub fn counted(golden_cases: u64, rtl_cases: u64, figures: &mut Figures) -> Result<(), LabError> {
     let configurations = configurations();
     let count = configurations.len() as u64;
-    let (mut golden, mut rtl) = (Tally::default(), lockstep::Report::default());
-    for (index, config) in (0..).zip(&configurations) {
+    let measured = configurations.par_iter().enumerate().map(|(index, config)| {
+        let seed = index as u64;
         // What does not come out even goes to the first.
         let share = |cases: u64| cases / count + if index == 0 { cases % count } else { 0 };
-        golden = golden.plus(&tally(config, share(golden_cases), index));
+        let golden = tally(config, share(golden_cases), seed);
         note!("motion, {}: {} cases beside f64", config.geometry, golden.cases);
-        let report = lockstep::run(config, share(rtl_cases), index)?;
-        rtl.cases += report.cases;
-        rtl.mismatches += report.mismatches;
-    }
+        Ok((golden, lockstep::run(config, share(rtl_cases), seed)?))
+    });
+    let measured = measured.collect::<Result<Vec<Measured>, LabError>>()?;
+    let golden = measured.iter().fold(Tally::default(), |all, (golden, _)| all.plus(golden));
+    let [rtl_cases, mismatches] = [|(_, rtl): &Measured| rtl.cases, |(_, rtl): &Measured| rtl.mismatches]
+        .map(|of| measured.iter().map(of).sum::<u64>());
     let mut insert = |key: &str, value: serde_json::Value| _ = figures.insert(format!("motion.{key}"), value);
     insert("golden_cases", golden.cases.into());
     insert("golden_covered", golden.covered.into());
@@ -47,8 +52,8 @@ pub fn counted(golden_cases: u64, rtl_cases: u64, figures: &mut Figures) -> Resu
     insert("violations", golden.violations.into());
     insert("worst_error", golden.worst.into());
     insert("worst_error_well_posed", golden.worst_well_posed.into());
-    insert("rtl_cases", rtl.cases.into());
-    insert("mismatches", rtl.mismatches.into());
+    insert("rtl_cases", rtl_cases.into());
+    insert("mismatches", mismatches.into());
     Ok(())
 }
 
