@@ -19,9 +19,8 @@ fn tile_of(pixel: Expr) -> Expr {
 
 /// Of the values, the first that `reaches` all others: every pair is compared at the same time.
 fn extreme<const N: usize>(values: [Expr; N], reaches: fn(Expr, Expr) -> Expr) -> Expr {
-    let beats = |place: usize, other: usize| match other < place {
-        true => !reaches(values[other], values[place]),
-        false => reaches(values[place], values[other]),
+    let beats = |place: usize, other: usize| {
+        if other < place { !reaches(values[other], values[place]) } else { reaches(values[place], values[other]) }
     };
     let chosen = (0..N).map(|place| {
         let is_extreme =
@@ -114,7 +113,7 @@ impl Diagonals {
     }
 
     /// What limits the rows that have a pixel between the edges' columns, from above and from below: in others, one of what limits a row
-    /// from the left lies behind one of what limits it from the right. Each is a single sum: −a = !a + 1, a tile's size is added to bits.
+    /// from the left lies behind one of what limits it from the right. Each is a single sum, for −a is !a + 1, and a tile's size is a bit.
     fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
         let Self { first_sum, last_sum, first_difference, last_difference } = *self;
         let pixel = |column: Expr| match config.sampling.columns().ilog2() {
@@ -124,24 +123,24 @@ impl Diagonals {
         let [first, last] = [pixel(edges.left), pixel(edges.right)];
         let one = lit(1, 1);
         let row = |place: Expr| cat([one, place.zext(DIAGONAL_BITS)]);
-        // One that has a sign, and a column with a tile's size.
+        // Of a place that has a sign, and of a column and a tile's size.
         let signed = |place: Expr| cat([!place.msb(), place.trunc(DIAGONAL_BITS)]);
         let from_below = |column: Expr| cat([one, one, column]);
         let wide = |place: Expr| place.zext(ROW_BITS);
-        // With a tile's size.
-        let twice = |above: Expr, place: Expr| cat([one, above, !place.bit(LOCAL_BITS), place.trunc(LOCAL_BITS)]);
+        // A place and a tile's size, which carries.
+        let larger = |carry: Expr, place: Expr| cat([one, carry, !place.bit(LOCAL_BITS), place.trunc(LOCAL_BITS)]);
         let half = |sum: Expr| sum.bits(ROW_BITS, 1);
         let tops = [
             row(edges.top),
             row(first_sum) - wide(last),
             from_below(first) + !last_difference,
-            half(twice(first_sum.msb(), first_sum) - last_difference.sext(ROW_BITS + 1)),
+            half(larger(first_sum.msb(), first_sum) - last_difference.sext(ROW_BITS + 1)),
         ];
         let bottoms = [
             row(edges.bottom),
             signed(last_sum) - wide(first),
             from_below(last) + !wide(first_difference),
-            half(twice(last_sum.bit(LOCAL_BITS) & !last_sum.msb(), last_sum) + !first_difference.zext(ROW_BITS + 1)),
+            half(larger(last_sum.bit(LOCAL_BITS) & !last_sum.msb(), last_sum) + !first_difference.zext(ROW_BITS + 1)),
         ];
         [tops, bottoms]
     }
