@@ -49,7 +49,7 @@ const NAMED: [Named; 8] = [
     Named { name: "fpga", unit: None, workload: Workload::Frame("knot") },
     Named { name: "ecp5", unit: Some("splat"), workload: Workload::Frame("knot") },
     Named { name: "asic", unit: None, workload: Workload::Frame("plane") },
-    Named { name: "tiny", unit: None, workload: Workload::Frame("plane") },
+    Named { name: "tiny", unit: Some("tiny"), workload: Workload::Frame("plane") },
     Named { name: "knn", unit: Some("search"), workload: Workload::Search { points: 100_000, neighbors: 10 } },
     Named { name: "points", unit: None, workload: Workload::Process { points: 20_000, neighbors: 10 } },
     Named { name: "upsample", unit: None, workload: Workload::Search { points: 100_000, neighbors: 10 } },
