@@ -15,9 +15,6 @@ const RTL_CASES: u64 = 100_000;
 /// Cases with one source of randomness.
 const BATCH: u64 = 2_000;
 
-/// What came of a configuration's cases.
-type Measured = (Tally, lockstep::Report);
-
 /// Measures both units on cases of all families.
 ///
 /// # Errors
@@ -41,10 +38,10 @@ pub fn counted(golden_cases: u64, rtl_cases: u64, figures: &mut Figures) -> Resu
         note!("motion, {}: {} cases beside f64", config.geometry, golden.cases);
         Ok((golden, lockstep::run(config, share(rtl_cases), seed)?))
     });
-    let measured = measured.collect::<Result<Vec<Measured>, LabError>>()?;
+    let measured = measured.collect::<Result<Vec<_>, LabError>>()?;
     let golden = measured.iter().fold(Tally::default(), |all, (golden, _)| all.plus(golden));
-    let [rtl_cases, mismatches] = [|(_, rtl): &Measured| rtl.cases, |(_, rtl): &Measured| rtl.mismatches]
-        .map(|of| measured.iter().map(of).sum::<u64>());
+    let rtl_cases: u64 = measured.iter().map(|(_, rtl)| rtl.cases).sum();
+    let mismatches: u64 = measured.iter().map(|(_, rtl)| rtl.mismatches).sum();
     let mut insert = |key: &str, value: serde_json::Value| _ = figures.insert(format!("motion.{key}"), value);
     insert("golden_cases", golden.cases.into());
     insert("golden_covered", golden.covered.into());

@@ -241,7 +241,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let moves = Begins {
         asks: begins,
         mask: leaves.sends.mux(*leaving.mask, *state.mask),
-        // None is sent of a tile without any.
+        // A tile that leaves has pixels, so its mask is not looked at.
         any_asked: leaves.sends | state.mask.any(),
         drains: state.changed & state.goes,
         dirty: masks.dirty,

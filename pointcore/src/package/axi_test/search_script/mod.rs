@@ -55,7 +55,7 @@ pub fn script(config: &Config) -> Result<Script, SearchError> {
     host.run_without_end();
     host.abort_within_packet();
     host.abort_held();
-    host.reset_somewhere();
+    host.reset_among_packets();
     (0..ABORTS).for_each(|_| host.abort_somewhere());
     host.run(Pauses::Some);
     host.enter(1);

@@ -161,7 +161,7 @@ impl<'a> Host<'a> {
     }
 
     /// A reset of one cycle while packets come, each time a cycle later: nothing is left of any of them.
-    pub fn reset_somewhere(&mut self) {
+    pub fn reset_among_packets(&mut self) {
         for cycles in 0..RESETS {
             self.control.script.pauses(Pauses::None);
             self.start(u32::MAX);

@@ -61,7 +61,7 @@ impl Searches {
                 break;
             }
         }
-        // A neighbor cache searches balls that are larger, and hands out all that it finds.
+        // Balls lie apart, so what a core finds is what one without a neighbor cache does.
         let plain = Config { neighbor_cache: 0, ..config.clone() };
         let session = Session::open(plain, tree.clone(), MemorySettings::default(), SearchEngine::Golden)?;
         let mut asked = queries(config, &tree, points.points(), &mut random);
@@ -72,6 +72,7 @@ impl Searches {
         let reuse = Reuse::default();
         let encode_one = |(index, query): (usize, &Query)| Ok(query.encode(config, reuse, index)?.sent);
         let sent = asked.iter().enumerate().map(encode_one).collect::<Result<Vec<_>, SearchError>>()?;
+        // A neighbor cache searches balls that are larger, and hands out all that it finds.
         let alpha = if config.neighbor_cache > 0 { reuse.alpha } else { 1.0 };
         let larger = |query: &Query| Query { radius: query.radius.map(|radius| radius * alpha), ..*query };
         let searched: Vec<_> = asked.iter().map(larger).collect();
