@@ -6,7 +6,7 @@ use super::one_of;
 use crate::number::{encode, encode_attribute, encode_uniform};
 use crate::splat::END;
 use fastrand::Rng;
-use glam::Vec3;
+use glam::{EulerRot, Quat, Vec3};
 use pointcore_contract::splat::motion::{SHUTTER, TIME_BINS_MAX};
 use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Shutter, Splat, Uniforms, Viewport};
 use pointcore_contract::splat::{AttributeFormat, Config};
@@ -25,6 +25,18 @@ const NARROW: f32 = 0.02;
 const WIDE: f32 = 0.2;
 /// The binary logarithm of the radius of a small one.
 const SMALL: f32 = -5.0;
+
+/// Near and far plane.
+const NEAR: [f32; 2] = [0.6, 1.4];
+const FAR: [f32; 2] = [8.0, 12.0];
+/// How far before the eye a splat is that it sees, or one that the near plane or the eye's cuts.
+const SEEN: [f32; 2] = [0.5, 9.0];
+const CUT: [f32; 2] = [-1.0, 1.5];
+/// Places in the image are so far beyond its first pixel at most, and so many pixels before it.
+const WINDOW_PX: f32 = 128.0;
+const BESIDE_PX: f32 = 16.0;
+/// The binary logarithm of a radius in pixels.
+const LOG2_RADIUS_PX: [f32; 2] = [-1.5, 4.0];
 
 /// Splats that are made to be hard, and the camera before which they are.
 #[derive(Clone, Copy, Debug)]
@@ -136,49 +148,82 @@ pub fn about(place: Place, config: &Config, splats: u32, lens: Lens, random: &mu
     let content = Content::Heap(place);
     let mut records: Vec<_> = (0..splats).map(|_| disc(config, content, random)).collect();
     records.push(END);
-    Frame { uniforms: words(config, camera(config, lens, random)), is_new_view: true, records }
+    Frame { uniforms: words(config, camera(config, lens, Pose::random(random), random)), is_new_view: true, records }
+}
+
+/// A frame of so many discs that are small in the image, anywhere in it and around: some behind the eye, cut by a plane or
+/// beyond the far one, some edge-on.
+#[must_use]
+pub fn around(config: &Config, splats: u32, lens: Lens, random: &mut Rng) -> Frame {
+    let pose = Pose::random(random);
+    let mut records: Vec<_> = (0..splats).map(|_| seen(config, lens, pose, random)).collect();
+    records.push(END);
+    Frame { uniforms: words(config, camera(config, lens, pose, random)), is_new_view: true, records }
 }
 
 /// The words of uniform registers, one of them odd now and then.
 fn view(config: &Config, content: Content, lens: Lens, random: &mut Rng) -> Vec<u64> {
-    let number = |number| encode(config.geometry, number);
+    let uniforms = camera(config, lens, Pose::random(random), random);
     let uniforms = match content {
-        Content::Hard(cases) => (cases.uniforms)(config),
-        _ => camera(config, lens, random),
+        Content::Hard(cases) => {
+            let Uniforms { filter_radius, filter_scale, .. } = uniforms;
+            Uniforms { filter_radius, filter_scale, ..(cases.uniforms)(config) }
+        }
+        _ => uniforms,
     };
-    let scale = one_of(random, &[1.0, 1.0, 0.7, 4.0]);
-    let filter_scale = encode_uniform(config.filter_scale_format(), scale);
-    let filter_radius = number(f32::sqrt(1.0 / scale));
-    let mut words = words(config, Uniforms { filter_radius, filter_scale, ..uniforms });
+    let mut words = words(config, uniforms);
     if random.u8(..12) == 0 {
         // From the scale of the filter on they are of other formats.
         let numbers = places::<Uniforms>(config).filter_scale.expect("it is always there");
         let place = random.usize(..numbers);
-        words[place] = number(one_of(random, &ODD)).into();
+        words[place] = encode(config.geometry, one_of(random, &ODD)).into();
     }
     words
 }
 
-/// A camera that looks at the origin from somewhere.
-fn camera(config: &Config, lens: Lens, random: &mut Rng) -> Uniforms {
+/// Where a camera stands: the way from the world's directions and places to its own.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    turn: Quat,
+    offset: Vec3,
+}
+
+impl Pose {
+    /// It looks at the origin from somewhere.
+    fn random(random: &mut Rng) -> Self {
+        let [yaw, pitch, roll] = [(); 3].map(|()| TAU * random.f32());
+        let mut offset = || random.f32() - 0.5;
+        let offset = Vec3::new(offset(), offset(), DISTANCE + offset());
+        Self { turn: Quat::from_euler(EulerRot::YXZ, yaw, pitch, roll), offset }
+    }
+}
+
+/// A camera's uniforms.
+fn camera(config: &Config, lens: Lens, Pose { turn, offset }: Pose, random: &mut Rng) -> Uniforms {
     let number = |number| encode(config.geometry, number);
-    let (sin, cos) = (TAU * random.f32()).sin_cos();
-    let mut offset = || random.f32() - 0.5;
-    let rows = [[cos, 0.0, -sin, offset()], [0.0, 1.0, 0.0, offset()], [sin, 0.0, cos, DISTANCE + offset()]];
+    let row = |axis: Vec3, offset| (turn.conjugate() * axis).extend(offset).to_array();
+    let rows = [row(Vec3::X, offset.x), row(Vec3::Y, offset.y), row(Vec3::Z, offset.z)];
+    let [near, far] = [NEAR, FAR].map(|range| between(range, random));
+    let depth_a = far / (far - near);
+    let scale = one_of(random, &[1.0, 1.0, 0.7, 4.0]);
     Uniforms {
         model_view: ModelView { rows: rows.map(|row| row.map(number)) },
         viewport: Viewport {
             scale: lens.scale.map(number),
             origin: lens.origin.map(number),
-            depth_a: number(10.0 / 9.0),
-            depth_b: number(-10.0 / 9.0),
+            depth_a: number(depth_a),
+            depth_b: number(-near * depth_a),
         },
-        near_plane: number(1.0),
+        near_plane: number(near),
         epsilon: EpsilonScale { scale: number(random.f32()), bias: number(0.05 * random.f32()) },
-        filter_radius: 0,
-        filter_scale: 0,
+        filter_radius: number(f32::sqrt(1.0 / scale)),
+        filter_scale: encode_uniform(config.filter_scale_format(), scale),
         shutter: if config.has_motion() { shutter(random) } else { Shutter::default() },
     }
+}
+
+fn between([low, high]: [f32; 2], random: &mut Rng) -> f32 {
+    low + (high - low) * random.f32()
 }
 
 /// Bins that count as much as a box's, or anything.
@@ -238,6 +283,34 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let tangents = [first * radius, normal.cross(first) * (radius * shorter)].map(vector);
     let motion = motion(config, random);
     Splat { end: false, center: vector(center), tangents, motion, attributes: attributes(config, random) }
+}
+
+/// A disc as the camera sees it: so small in the image, whatever its distance.
+fn seen(config: &Config, lens: Lens, pose: Pose, random: &mut Rng) -> Splat {
+    let depth = match random.u8(..8) {
+        0 => between(CUT, random),
+        1 => between(FAR, random),
+        _ => between(SEEN, random),
+    };
+    let mut pixel = |edge: u32| between([-BESIDE_PX, (edge as f32).min(WINDOW_PX) + BESIDE_PX], random);
+    let pixel = [pixel(config.width), pixel(config.height)];
+    let [x, y] = [0, 1].map(|axis| (pixel[axis] - lens.origin[axis]) / lens.scale[axis] * depth);
+    let center = Vec3::new(x, y, depth);
+    let radius = between(LOG2_RADIUS_PX, random).exp2() / lens.scale[0] * depth.abs();
+    let mut signed = || 2.0 * random.f32() - 1.0;
+    let [a, b] = [(); 2].map(|()| Vec3::new(signed(), signed(), signed()));
+    let is_edge_on = random.u8(..8) == 0;
+    let normal = if is_edge_on { center.cross(a) } else { a }.try_normalize().unwrap_or(Vec3::Z);
+    let first = normal.cross(b).try_normalize().unwrap_or(normal.any_orthonormal_vector());
+    let back = pose.turn.conjugate();
+    let vector = |vector: Vec3| (back * vector).to_array().map(|number| encode(config.geometry, number));
+    Splat {
+        end: false,
+        center: vector(center - pose.offset),
+        tangents: [first * radius, normal.cross(first) * radius].map(vector),
+        motion: motion(config, random),
+        attributes: attributes(config, random),
+    }
 }
 
 /// Attributes of both kinds, now and then any bits or an odd number.
