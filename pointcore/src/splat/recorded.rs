@@ -2,7 +2,7 @@
 
 use super::generate::SplatCore;
 use crate::recording::Recording;
-use crate::stimuli::frames::{Lens, Place, about};
+use crate::stimuli::frames::{Lens, Place, about, around};
 use crate::stimuli::pace::Paces;
 use crate::stimuli::renderer::{DATA, READ, Renderer, Script, WRITE, streams};
 use fastrand::Rng;
@@ -24,6 +24,9 @@ const RUNS: [(Stall, Place, u32); 8] = [
     (Stall::Random(0.1), place(0.9, -4.5), 240),
     (Stall::Random(0.5), place(0.2, -2.5), 40),
 ];
+/// Runs of frames whose splats are of all kinds, and how many they are.
+const MIXED_RUNS: u64 = 3;
+const MIXED_SPLATS: u32 = 60;
 /// Streams that hardly move in a run, in which a few large discs cover tiles.
 const HELD: [usize; 3] = [DATA, READ, WRITE];
 const LARGE: Place = place(0.4, -2.0);
@@ -59,6 +62,12 @@ pub fn record(config: &Config, core: &SplatCore) -> Recording {
         let random = &mut Rng::with_seed(seed);
         let frames = [splats, splats / 4].map(|splats| about(place, config, splats, LENS, random)).into();
         let paces = Paces::alike(streams(config), pattern, random);
+        recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
+    }
+    for seed in 0..MIXED_RUNS {
+        let random = &mut Rng::with_seed(seed);
+        let frames = [(); 2].map(|()| around(config, MIXED_SPLATS, LENS, random)).into();
+        let paces = Paces::alike(streams(config), Stall::Varied, random);
         recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
     for stream in HELD {
