@@ -12,8 +12,11 @@ use super::{BuildOptions, Optimization, Trace, VerilatedError, VerilogSource};
 use crate::cache::{Cache, file, key};
 use crate::toolchain::Toolchain;
 
-/// C++ beyond this many bytes is compiled in several units at once; below, reading the headers again costs more.
+/// C++ beyond this many bytes is compiled in several units at once, for who waits for a model; below, reading the headers
+/// again costs more.
 const UNIT_BYTES: u64 = 200_000;
+/// As many for tests, of which others fill the machine meanwhile.
+const QUICK_UNIT_BYTES: u64 = 1_000_000;
 
 /// Arguments of every translation. One file holds all modules, so it cannot be named for each (`DECLFILENAME`); values
 /// that the Verilog leaves open are randomised, so that a design depending on them shows.
@@ -197,10 +200,14 @@ impl Build<'_> {
         }
         files.sort_by(|left, right| right.cmp(left));
         let total: u64 = files.iter().map(|(bytes, _)| bytes).sum();
+        let unit_bytes = match self.options.optimization {
+            Optimization::Quick => QUICK_UNIT_BYTES,
+            Optimization::Full => UNIT_BYTES,
+        };
         let (slow, fast): (Vec<_>, Vec<_>) =
-            files.into_iter().partition(|(_, name)| total > UNIT_BYTES && name.contains("Slow"));
+            files.into_iter().partition(|(_, name)| total > unit_bytes && name.contains("Slow"));
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
-        let count = usize::try_from(total / UNIT_BYTES).unwrap_or(processors).clamp(1, processors);
+        let count = usize::try_from(total / unit_bytes).unwrap_or(processors).clamp(1, processors);
         let mut units = vec![(0, String::new()); count];
         units[0].1 += "#include \"shim.cpp\"\n";
         for (bytes, name) in fast {
