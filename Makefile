@@ -40,7 +40,7 @@ setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
 	@./scripts/setup iverilog:iverilog yosys:yosys
 
 setup-formal: setup-tests ## Install what the proofs need besides: SymbiYosys and a solver, pinned, into target/tools
-	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv cadical:cadical
 	@./scripts/python-tools
 
 setup-cocotb: setup-tests ## Install what the tests on AXI need besides: cocotb and its bus models, pinned, into target/tools
