@@ -271,8 +271,7 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
         _ => Vec3::new(4.0 * signed(), 4.0 * signed(), 4.5 * signed()),
     };
     let [a, b] = [(); 2].map(|()| Vec3::new(signed(), signed(), signed()));
-    let normal = a.try_normalize().unwrap_or(Vec3::Z);
-    let first = normal.cross(b).try_normalize().unwrap_or(normal.any_orthonormal_vector());
+    let [first, second] = tangents(a, b);
     let exponent = match content {
         Content::Heap(Place { log2_radius, .. }) => signed() + log2_radius,
         _ => 3.5 * signed() - 2.5,
@@ -280,9 +279,16 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let radius = exponent.exp2();
     let shorter = if random.u8(..8) == 0 { random.f32() } else { 1.0 };
     let vector = |vector: Vec3| vector.to_array().map(|number| encode(config.geometry, number));
-    let tangents = [first * radius, normal.cross(first) * (radius * shorter)].map(vector);
+    let tangents = [first * radius, second * (radius * shorter)].map(vector);
     let motion = motion(config, random);
     Splat { end: false, center: vector(center), tangents, motion, attributes: attributes(config, random) }
+}
+
+/// Tangents of length 1 of a disc with a normal, turned in its plane by another vector.
+fn tangents(normal: Vec3, other: Vec3) -> [Vec3; 2] {
+    let normal = normal.try_normalize().unwrap_or(Vec3::Z);
+    let first = normal.cross(other).try_normalize().unwrap_or(normal.any_orthonormal_vector());
+    [first, normal.cross(first)]
 }
 
 /// A disc as the camera sees it: so small in the image, whatever its distance.
@@ -300,14 +306,13 @@ fn seen(config: &Config, lens: Lens, pose: Pose, random: &mut Rng) -> Splat {
     let mut signed = || 2.0 * random.f32() - 1.0;
     let [a, b] = [(); 2].map(|()| Vec3::new(signed(), signed(), signed()));
     let is_edge_on = random.u8(..8) == 0;
-    let normal = if is_edge_on { center.cross(a) } else { a }.try_normalize().unwrap_or(Vec3::Z);
-    let first = normal.cross(b).try_normalize().unwrap_or(normal.any_orthonormal_vector());
+    let tangents = tangents(if is_edge_on { center.cross(a) } else { a }, b);
     let back = pose.turn.conjugate();
     let vector = |vector: Vec3| (back * vector).to_array().map(|number| encode(config.geometry, number));
     Splat {
         end: false,
         center: vector(center - pose.offset),
-        tangents: [first * radius, normal.cross(first) * radius].map(vector),
+        tangents: tangents.map(|tangent| vector(tangent * radius)),
         motion: motion(config, random),
         attributes: attributes(config, random),
     }
