@@ -35,8 +35,8 @@ fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) 
     if !program.exists() {
         let compiled = Command::new("verilator")
             .args(["--binary", "--x-initial", "unique", "--top-module", &format!("{core}_test")])
-            // Runs are short. What `-CFLAGS` says of optimization, Verilator's makefile takes back.
-            .args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_GLOBAL=-O0"])
+            // Runs are short, and so in one unit of C++: headers are long. What `-CFLAGS` says of optimization, Verilator's makefile takes back.
+            .args(["-MAKEFLAGS", "VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_GLOBAL=-O0"])
             .arg(format!("{core}_test.sv"))
             .args(design)
             .current_dir(folder)
