@@ -1,12 +1,26 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 219047 cycles of the bit-exact model at the ports of splat_top, in which 21247 items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
 //
-// splat_test.hex is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
 // then the words of those that do.
 
 module splat_test;
+    wire [1:0] passed;
+
+    splat_top_replay replay_0 (.passed(passed[0]));
+    splat_setup_replay replay_1 (.passed(passed[1]));
+
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+
+// 219047 cycles of splat_top, which 21247 items leave.
+module splat_top_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
     reg [63:0] words [0:124276];
@@ -20,7 +34,7 @@ module splat_test;
     integer cycle;
     integer differences = 0;
 
-    splat_top core (
+    splat_top replayed (
         .clk(clk),
         .rst(rst || vector[0]),
         .uniform_valid(vector[1]),
@@ -118,7 +132,7 @@ module splat_test;
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("splat_top, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -163,7 +177,168 @@ module splat_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 219047 cycles, 21247 items, every output as the model's");
-        $finish;
+        $display("splat_top: 219047 cycles, 21247 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// 47087 cycles of splat_setup, which 1225 items leave.
+module splat_setup_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:21394];
+    reg [897:0] vector = 0;
+    reg [897:0] next = 0;
+    wire [897:0] found;
+    reg changes;
+    reg [3:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    splat_setup replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .in_valid(vector[1]),
+        .in_ready(found[2]),
+        .in_end(vector[1] ? vector[3] : ~vector[3]),
+        .in_center_x(vector[1] ? vector[27:4] : ~vector[27:4]),
+        .in_center_y(vector[1] ? vector[51:28] : ~vector[51:28]),
+        .in_center_z(vector[1] ? vector[75:52] : ~vector[75:52]),
+        .in_tangent1_x(vector[1] ? vector[99:76] : ~vector[99:76]),
+        .in_tangent1_y(vector[1] ? vector[123:100] : ~vector[123:100]),
+        .in_tangent1_z(vector[1] ? vector[147:124] : ~vector[147:124]),
+        .in_tangent2_x(vector[1] ? vector[171:148] : ~vector[171:148]),
+        .in_tangent2_y(vector[1] ? vector[195:172] : ~vector[195:172]),
+        .in_tangent2_z(vector[1] ? vector[219:196] : ~vector[219:196]),
+        .in_attribute_0(vector[1] ? vector[231:220] : ~vector[231:220]),
+        .in_attribute_1(vector[1] ? vector[243:232] : ~vector[243:232]),
+        .in_attribute_2(vector[1] ? vector[255:244] : ~vector[255:244]),
+        .near_plane(vector[873:850]),
+        .filter_radius(vector[897:874]),
+        .depth_a(vector[777:754]),
+        .depth_b(vector[801:778]),
+        .epsilon_scale(vector[825:802]),
+        .epsilon_bias(vector[849:826]),
+        .scale_x(vector[681:658]),
+        .origin_x(vector[729:706]),
+        .scale_y(vector[705:682]),
+        .origin_y(vector[753:730]),
+        .out_valid(found[256]),
+        .out_ready(vector[257]),
+        .out_end(found[258]),
+        .out_center_x(found[284:259]),
+        .out_center_y(found[310:285]),
+        .out_ax(found[326:311]),
+        .out_bx(found[342:327]),
+        .out_ay(found[358:343]),
+        .out_by(found[374:359]),
+        .out_delta(found[394:375]),
+        .out_mx(found[410:395]),
+        .out_my(found[426:411]),
+        .out_shift(found[430:427]),
+        .out_sight_negative(found[431]),
+        .out_sight_near(found[451:432]),
+        .out_sight_far(found[471:452]),
+        .out_sight_turned(found[472]),
+        .out_sight_disc(found[473]),
+        .out_depth(found[497:474]),
+        .out_depth_low(found[521:498]),
+        .out_depth_high(found[545:522]),
+        .out_attribute_0(found[557:546]),
+        .out_attribute_1(found[569:558]),
+        .out_attribute_2(found[581:570]),
+        .out_left(found[590:582]),
+        .out_right(found[599:591]),
+        .out_top(found[608:600]),
+        .out_bottom(found[617:609]),
+        .out_first_sum(found[627:618]),
+        .out_last_sum(found[637:628]),
+        .out_first_difference(found[647:638]),
+        .out_last_difference(found[657:648])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 3; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(2, 1); take(256, 1); take(257, 1); end
+            if (changed[1]) begin take(658, 24); take(682, 24); take(706, 24); take(730, 24); take(754, 24); take(778, 24); take(802, 24); take(826, 24); take(850, 24); take(874, 24); end
+            if (changed[2]) begin take(3, 1); take(4, 24); take(28, 24); take(52, 24); take(76, 24); take(100, 24); take(124, 24); take(148, 24); take(172, 24); take(196, 24); take(220, 12); take(232, 12); take(244, 12); end
+            if (changed[3]) begin take(258, 1); take(259, 26); take(285, 26); take(311, 16); take(327, 16); take(343, 16); take(359, 16); take(375, 20); take(395, 16); take(411, 16); take(427, 4); take(431, 1); take(432, 20); take(452, 20); take(472, 1); take(473, 1); take(474, 24); take(498, 24); take(522, 24); take(546, 12); take(558, 12); take(570, 12); take(582, 9); take(591, 9); take(600, 9); take(609, 9); take(618, 10); take(628, 10); take(638, 10); take(648, 10); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("splat_setup, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("splat_setup_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 47087 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[2] !== vector[2]) differ("in_ready");
+            if (found[256] !== vector[256]) differ("out_valid");
+            if (vector[256] && found[258] !== vector[258]) differ("out_end");
+            if (vector[256] && !vector[258] && found[284:259] !== vector[284:259]) differ("out_center_x");
+            if (vector[256] && !vector[258] && found[310:285] !== vector[310:285]) differ("out_center_y");
+            if (vector[256] && !vector[258] && found[326:311] !== vector[326:311]) differ("out_ax");
+            if (vector[256] && !vector[258] && found[342:327] !== vector[342:327]) differ("out_bx");
+            if (vector[256] && !vector[258] && found[358:343] !== vector[358:343]) differ("out_ay");
+            if (vector[256] && !vector[258] && found[374:359] !== vector[374:359]) differ("out_by");
+            if (vector[256] && !vector[258] && found[394:375] !== vector[394:375]) differ("out_delta");
+            if (vector[256] && !vector[258] && found[410:395] !== vector[410:395]) differ("out_mx");
+            if (vector[256] && !vector[258] && found[426:411] !== vector[426:411]) differ("out_my");
+            if (vector[256] && !vector[258] && found[430:427] !== vector[430:427]) differ("out_shift");
+            if (vector[256] && !vector[258] && found[431] !== vector[431]) differ("out_sight_negative");
+            if (vector[256] && !vector[258] && found[451:432] !== vector[451:432]) differ("out_sight_near");
+            if (vector[256] && !vector[258] && found[471:452] !== vector[471:452]) differ("out_sight_far");
+            if (vector[256] && !vector[258] && found[472] !== vector[472]) differ("out_sight_turned");
+            if (vector[256] && !vector[258] && found[473] !== vector[473]) differ("out_sight_disc");
+            if (vector[256] && !vector[258] && found[497:474] !== vector[497:474]) differ("out_depth");
+            if (vector[256] && !vector[258] && found[521:498] !== vector[521:498]) differ("out_depth_low");
+            if (vector[256] && !vector[258] && found[545:522] !== vector[545:522]) differ("out_depth_high");
+            if (vector[256] && !vector[258] && found[557:546] !== vector[557:546]) differ("out_attribute_0");
+            if (vector[256] && !vector[258] && found[569:558] !== vector[569:558]) differ("out_attribute_1");
+            if (vector[256] && !vector[258] && found[581:570] !== vector[581:570]) differ("out_attribute_2");
+            if (vector[256] && !vector[258] && found[590:582] !== vector[590:582]) differ("out_left");
+            if (vector[256] && !vector[258] && found[599:591] !== vector[599:591]) differ("out_right");
+            if (vector[256] && !vector[258] && found[608:600] !== vector[608:600]) differ("out_top");
+            if (vector[256] && !vector[258] && found[617:609] !== vector[617:609]) differ("out_bottom");
+            if (vector[256] && !vector[258] && found[627:618] !== vector[627:618]) differ("out_first_sum");
+            if (vector[256] && !vector[258] && found[637:628] !== vector[637:628]) differ("out_last_sum");
+            if (vector[256] && !vector[258] && found[647:638] !== vector[647:638]) differ("out_first_difference");
+            if (vector[256] && !vector[258] && found[657:648] !== vector[657:648]) differ("out_last_difference");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("splat_setup: 47087 cycles, 1225 items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule

@@ -1,12 +1,26 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 218289 cycles of the bit-exact model at the ports of splat_top, in which 22327 items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
 //
-// splat_test.hex is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
 // then the words of those that do.
 
 module splat_test;
+    wire [1:0] passed;
+
+    splat_top_replay replay_0 (.passed(passed[0]));
+    splat_setup_replay replay_1 (.passed(passed[1]));
+
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+
+// 218289 cycles of splat_top, which 22327 items leave.
+module splat_top_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
     reg [63:0] words [0:205355];
@@ -20,7 +34,7 @@ module splat_test;
     integer cycle;
     integer differences = 0;
 
-    splat_top core (
+    splat_top replayed (
         .clk(clk),
         .rst(rst || vector[0]),
         .uniform_valid(vector[1]),
@@ -164,7 +178,7 @@ module splat_test;
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("splat_top, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -232,7 +246,199 @@ module splat_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 218289 cycles, 22327 items, every output as the model's");
-        $finish;
+        $display("splat_top: 218289 cycles, 22327 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// 45043 cycles of splat_setup, which 1120 items leave.
+module splat_setup_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:31439];
+    reg [1323:0] vector = 0;
+    reg [1323:0] next = 0;
+    wire [1323:0] found;
+    reg changes;
+    reg [3:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    splat_setup replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .in_valid(vector[1]),
+        .in_ready(found[2]),
+        .in_end(vector[1] ? vector[3] : ~vector[3]),
+        .in_center_x(vector[1] ? vector[27:4] : ~vector[27:4]),
+        .in_center_y(vector[1] ? vector[51:28] : ~vector[51:28]),
+        .in_center_z(vector[1] ? vector[75:52] : ~vector[75:52]),
+        .in_tangent1_x(vector[1] ? vector[99:76] : ~vector[99:76]),
+        .in_tangent1_y(vector[1] ? vector[123:100] : ~vector[123:100]),
+        .in_tangent1_z(vector[1] ? vector[147:124] : ~vector[147:124]),
+        .in_tangent2_x(vector[1] ? vector[171:148] : ~vector[171:148]),
+        .in_tangent2_y(vector[1] ? vector[195:172] : ~vector[195:172]),
+        .in_tangent2_z(vector[1] ? vector[219:196] : ~vector[219:196]),
+        .in_attribute_0(vector[1] ? vector[235:220] : ~vector[235:220]),
+        .in_attribute_1(vector[1] ? vector[251:236] : ~vector[251:236]),
+        .in_attribute_2(vector[1] ? vector[267:252] : ~vector[267:252]),
+        .in_attribute_3(vector[1] ? vector[283:268] : ~vector[283:268]),
+        .in_attribute_4(vector[1] ? vector[299:284] : ~vector[299:284]),
+        .in_attribute_5(vector[1] ? vector[315:300] : ~vector[315:300]),
+        .in_attribute_6(vector[1] ? vector[331:316] : ~vector[331:316]),
+        .in_attribute_7(vector[1] ? vector[347:332] : ~vector[347:332]),
+        .in_attribute_8(vector[1] ? vector[363:348] : ~vector[363:348]),
+        .in_attribute_9(vector[1] ? vector[379:364] : ~vector[379:364]),
+        .in_attribute_10(vector[1] ? vector[395:380] : ~vector[395:380]),
+        .in_attribute_11(vector[1] ? vector[411:396] : ~vector[411:396]),
+        .in_attribute_12(vector[1] ? vector[427:412] : ~vector[427:412]),
+        .in_cardinal_0(vector[1] ? vector[443:428] : ~vector[443:428]),
+        .near_plane(vector[1299:1276]),
+        .filter_radius(vector[1323:1300]),
+        .depth_a(vector[1203:1180]),
+        .depth_b(vector[1227:1204]),
+        .epsilon_scale(vector[1251:1228]),
+        .epsilon_bias(vector[1275:1252]),
+        .scale_x(vector[1107:1084]),
+        .origin_x(vector[1155:1132]),
+        .scale_y(vector[1131:1108]),
+        .origin_y(vector[1179:1156]),
+        .out_valid(found[444]),
+        .out_ready(vector[445]),
+        .out_end(found[446]),
+        .out_center_x(found[470:447]),
+        .out_center_y(found[494:471]),
+        .out_ax(found[518:495]),
+        .out_bx(found[542:519]),
+        .out_ay(found[566:543]),
+        .out_by(found[590:567]),
+        .out_delta(found[614:591]),
+        .out_mx(found[638:615]),
+        .out_my(found[662:639]),
+        .out_sight_negative(found[663]),
+        .out_sight_near(found[686:664]),
+        .out_sight_far(found[709:687]),
+        .out_sight_turned(found[710]),
+        .out_sight_disc(found[711]),
+        .out_depth(found[735:712]),
+        .out_depth_low(found[759:736]),
+        .out_depth_high(found[783:760]),
+        .out_attribute_0(found[799:784]),
+        .out_attribute_1(found[815:800]),
+        .out_attribute_2(found[831:816]),
+        .out_attribute_3(found[847:832]),
+        .out_attribute_4(found[863:848]),
+        .out_attribute_5(found[879:864]),
+        .out_attribute_6(found[895:880]),
+        .out_attribute_7(found[911:896]),
+        .out_attribute_8(found[927:912]),
+        .out_attribute_9(found[943:928]),
+        .out_attribute_10(found[959:944]),
+        .out_attribute_11(found[975:960]),
+        .out_attribute_12(found[991:976]),
+        .out_cardinal_0(found[1007:992]),
+        .out_left(found[1016:1008]),
+        .out_right(found[1025:1017]),
+        .out_top(found[1034:1026]),
+        .out_bottom(found[1043:1035]),
+        .out_first_sum(found[1053:1044]),
+        .out_last_sum(found[1063:1054]),
+        .out_first_difference(found[1073:1064]),
+        .out_last_difference(found[1083:1074])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 3; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(2, 1); take(444, 1); take(445, 1); end
+            if (changed[1]) begin take(1084, 24); take(1108, 24); take(1132, 24); take(1156, 24); take(1180, 24); take(1204, 24); take(1228, 24); take(1252, 24); take(1276, 24); take(1300, 24); end
+            if (changed[2]) begin take(3, 1); take(4, 24); take(28, 24); take(52, 24); take(76, 24); take(100, 24); take(124, 24); take(148, 24); take(172, 24); take(196, 24); take(220, 16); take(236, 16); take(252, 16); take(268, 16); take(284, 16); take(300, 16); take(316, 16); take(332, 16); take(348, 16); take(364, 16); take(380, 16); take(396, 16); take(412, 16); take(428, 16); end
+            if (changed[3]) begin take(446, 1); take(447, 24); take(471, 24); take(495, 24); take(519, 24); take(543, 24); take(567, 24); take(591, 24); take(615, 24); take(639, 24); take(663, 1); take(664, 23); take(687, 23); take(710, 1); take(711, 1); take(712, 24); take(736, 24); take(760, 24); take(784, 16); take(800, 16); take(816, 16); take(832, 16); take(848, 16); take(864, 16); take(880, 16); take(896, 16); take(912, 16); take(928, 16); take(944, 16); take(960, 16); take(976, 16); take(992, 16); take(1008, 9); take(1017, 9); take(1026, 9); take(1035, 9); take(1044, 10); take(1054, 10); take(1064, 10); take(1074, 10); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("splat_setup, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("splat_setup_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 45043 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[2] !== vector[2]) differ("in_ready");
+            if (found[444] !== vector[444]) differ("out_valid");
+            if (vector[444] && found[446] !== vector[446]) differ("out_end");
+            if (vector[444] && !vector[446] && found[470:447] !== vector[470:447]) differ("out_center_x");
+            if (vector[444] && !vector[446] && found[494:471] !== vector[494:471]) differ("out_center_y");
+            if (vector[444] && !vector[446] && found[518:495] !== vector[518:495]) differ("out_ax");
+            if (vector[444] && !vector[446] && found[542:519] !== vector[542:519]) differ("out_bx");
+            if (vector[444] && !vector[446] && found[566:543] !== vector[566:543]) differ("out_ay");
+            if (vector[444] && !vector[446] && found[590:567] !== vector[590:567]) differ("out_by");
+            if (vector[444] && !vector[446] && found[614:591] !== vector[614:591]) differ("out_delta");
+            if (vector[444] && !vector[446] && found[638:615] !== vector[638:615]) differ("out_mx");
+            if (vector[444] && !vector[446] && found[662:639] !== vector[662:639]) differ("out_my");
+            if (vector[444] && !vector[446] && found[663] !== vector[663]) differ("out_sight_negative");
+            if (vector[444] && !vector[446] && found[686:664] !== vector[686:664]) differ("out_sight_near");
+            if (vector[444] && !vector[446] && found[709:687] !== vector[709:687]) differ("out_sight_far");
+            if (vector[444] && !vector[446] && found[710] !== vector[710]) differ("out_sight_turned");
+            if (vector[444] && !vector[446] && found[711] !== vector[711]) differ("out_sight_disc");
+            if (vector[444] && !vector[446] && found[735:712] !== vector[735:712]) differ("out_depth");
+            if (vector[444] && !vector[446] && found[759:736] !== vector[759:736]) differ("out_depth_low");
+            if (vector[444] && !vector[446] && found[783:760] !== vector[783:760]) differ("out_depth_high");
+            if (vector[444] && !vector[446] && found[799:784] !== vector[799:784]) differ("out_attribute_0");
+            if (vector[444] && !vector[446] && found[815:800] !== vector[815:800]) differ("out_attribute_1");
+            if (vector[444] && !vector[446] && found[831:816] !== vector[831:816]) differ("out_attribute_2");
+            if (vector[444] && !vector[446] && found[847:832] !== vector[847:832]) differ("out_attribute_3");
+            if (vector[444] && !vector[446] && found[863:848] !== vector[863:848]) differ("out_attribute_4");
+            if (vector[444] && !vector[446] && found[879:864] !== vector[879:864]) differ("out_attribute_5");
+            if (vector[444] && !vector[446] && found[895:880] !== vector[895:880]) differ("out_attribute_6");
+            if (vector[444] && !vector[446] && found[911:896] !== vector[911:896]) differ("out_attribute_7");
+            if (vector[444] && !vector[446] && found[927:912] !== vector[927:912]) differ("out_attribute_8");
+            if (vector[444] && !vector[446] && found[943:928] !== vector[943:928]) differ("out_attribute_9");
+            if (vector[444] && !vector[446] && found[959:944] !== vector[959:944]) differ("out_attribute_10");
+            if (vector[444] && !vector[446] && found[975:960] !== vector[975:960]) differ("out_attribute_11");
+            if (vector[444] && !vector[446] && found[991:976] !== vector[991:976]) differ("out_attribute_12");
+            if (vector[444] && !vector[446] && found[1007:992] !== vector[1007:992]) differ("out_cardinal_0");
+            if (vector[444] && !vector[446] && found[1016:1008] !== vector[1016:1008]) differ("out_left");
+            if (vector[444] && !vector[446] && found[1025:1017] !== vector[1025:1017]) differ("out_right");
+            if (vector[444] && !vector[446] && found[1034:1026] !== vector[1034:1026]) differ("out_top");
+            if (vector[444] && !vector[446] && found[1043:1035] !== vector[1043:1035]) differ("out_bottom");
+            if (vector[444] && !vector[446] && found[1053:1044] !== vector[1053:1044]) differ("out_first_sum");
+            if (vector[444] && !vector[446] && found[1063:1054] !== vector[1063:1054]) differ("out_last_sum");
+            if (vector[444] && !vector[446] && found[1073:1064] !== vector[1073:1064]) differ("out_first_difference");
+            if (vector[444] && !vector[446] && found[1083:1074] !== vector[1083:1074]) differ("out_last_difference");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("splat_setup: 45043 cycles, 1120 items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule

@@ -1,12 +1,26 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 260912 cycles of the bit-exact model at the ports of splat_top, in which 23252 items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
 //
-// splat_test.hex is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
 // then the words of those that do.
 
 module splat_test;
+    wire [1:0] passed;
+
+    splat_top_replay replay_0 (.passed(passed[0]));
+    splat_setup_replay replay_1 (.passed(passed[1]));
+
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+
+// 260912 cycles of splat_top, which 23252 items leave.
+module splat_top_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
     reg [63:0] words [0:233869];
@@ -20,7 +34,7 @@ module splat_test;
     integer cycle;
     integer differences = 0;
 
-    splat_top core (
+    splat_top replayed (
         .clk(clk),
         .rst(rst || vector[0]),
         .uniform_valid(vector[1]),
@@ -164,7 +178,7 @@ module splat_test;
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("splat_top, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -232,7 +246,199 @@ module splat_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 260912 cycles, 23252 items, every output as the model's");
-        $finish;
+        $display("splat_top: 260912 cycles, 23252 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// 33389 cycles of splat_setup, which 1129 items leave.
+module splat_setup_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:37755];
+    reg [1563:0] vector = 0;
+    reg [1563:0] next = 0;
+    wire [1563:0] found;
+    reg changes;
+    reg [3:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    splat_setup replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .in_valid(vector[1]),
+        .in_ready(found[2]),
+        .in_end(vector[1] ? vector[3] : ~vector[3]),
+        .in_center_x(vector[1] ? vector[35:4] : ~vector[35:4]),
+        .in_center_y(vector[1] ? vector[67:36] : ~vector[67:36]),
+        .in_center_z(vector[1] ? vector[99:68] : ~vector[99:68]),
+        .in_tangent1_x(vector[1] ? vector[131:100] : ~vector[131:100]),
+        .in_tangent1_y(vector[1] ? vector[163:132] : ~vector[163:132]),
+        .in_tangent1_z(vector[1] ? vector[195:164] : ~vector[195:164]),
+        .in_tangent2_x(vector[1] ? vector[227:196] : ~vector[227:196]),
+        .in_tangent2_y(vector[1] ? vector[259:228] : ~vector[259:228]),
+        .in_tangent2_z(vector[1] ? vector[291:260] : ~vector[291:260]),
+        .in_attribute_0(vector[1] ? vector[307:292] : ~vector[307:292]),
+        .in_attribute_1(vector[1] ? vector[323:308] : ~vector[323:308]),
+        .in_attribute_2(vector[1] ? vector[339:324] : ~vector[339:324]),
+        .in_attribute_3(vector[1] ? vector[355:340] : ~vector[355:340]),
+        .in_attribute_4(vector[1] ? vector[371:356] : ~vector[371:356]),
+        .in_attribute_5(vector[1] ? vector[387:372] : ~vector[387:372]),
+        .in_attribute_6(vector[1] ? vector[403:388] : ~vector[403:388]),
+        .in_attribute_7(vector[1] ? vector[419:404] : ~vector[419:404]),
+        .in_attribute_8(vector[1] ? vector[435:420] : ~vector[435:420]),
+        .in_attribute_9(vector[1] ? vector[451:436] : ~vector[451:436]),
+        .in_attribute_10(vector[1] ? vector[467:452] : ~vector[467:452]),
+        .in_attribute_11(vector[1] ? vector[483:468] : ~vector[483:468]),
+        .in_attribute_12(vector[1] ? vector[499:484] : ~vector[499:484]),
+        .in_cardinal_0(vector[1] ? vector[515:500] : ~vector[515:500]),
+        .near_plane(vector[1531:1500]),
+        .filter_radius(vector[1563:1532]),
+        .depth_a(vector[1403:1372]),
+        .depth_b(vector[1435:1404]),
+        .epsilon_scale(vector[1467:1436]),
+        .epsilon_bias(vector[1499:1468]),
+        .scale_x(vector[1275:1244]),
+        .origin_x(vector[1339:1308]),
+        .scale_y(vector[1307:1276]),
+        .origin_y(vector[1371:1340]),
+        .out_valid(found[516]),
+        .out_ready(vector[517]),
+        .out_end(found[518]),
+        .out_center_x(found[550:519]),
+        .out_center_y(found[582:551]),
+        .out_ax(found[614:583]),
+        .out_bx(found[646:615]),
+        .out_ay(found[678:647]),
+        .out_by(found[710:679]),
+        .out_delta(found[742:711]),
+        .out_mx(found[774:743]),
+        .out_my(found[806:775]),
+        .out_sight_negative(found[807]),
+        .out_sight_near(found[838:808]),
+        .out_sight_far(found[869:839]),
+        .out_sight_turned(found[870]),
+        .out_sight_disc(found[871]),
+        .out_depth(found[895:872]),
+        .out_depth_low(found[919:896]),
+        .out_depth_high(found[943:920]),
+        .out_attribute_0(found[959:944]),
+        .out_attribute_1(found[975:960]),
+        .out_attribute_2(found[991:976]),
+        .out_attribute_3(found[1007:992]),
+        .out_attribute_4(found[1023:1008]),
+        .out_attribute_5(found[1039:1024]),
+        .out_attribute_6(found[1055:1040]),
+        .out_attribute_7(found[1071:1056]),
+        .out_attribute_8(found[1087:1072]),
+        .out_attribute_9(found[1103:1088]),
+        .out_attribute_10(found[1119:1104]),
+        .out_attribute_11(found[1135:1120]),
+        .out_attribute_12(found[1151:1136]),
+        .out_cardinal_0(found[1167:1152]),
+        .out_left(found[1176:1168]),
+        .out_right(found[1185:1177]),
+        .out_top(found[1194:1186]),
+        .out_bottom(found[1203:1195]),
+        .out_first_sum(found[1213:1204]),
+        .out_last_sum(found[1223:1214]),
+        .out_first_difference(found[1233:1224]),
+        .out_last_difference(found[1243:1234])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 3; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(2, 1); take(516, 1); take(517, 1); end
+            if (changed[1]) begin take(1244, 32); take(1276, 32); take(1308, 32); take(1340, 32); take(1372, 32); take(1404, 32); take(1436, 32); take(1468, 32); take(1500, 32); take(1532, 32); end
+            if (changed[2]) begin take(3, 1); take(4, 32); take(36, 32); take(68, 32); take(100, 32); take(132, 32); take(164, 32); take(196, 32); take(228, 32); take(260, 32); take(292, 16); take(308, 16); take(324, 16); take(340, 16); take(356, 16); take(372, 16); take(388, 16); take(404, 16); take(420, 16); take(436, 16); take(452, 16); take(468, 16); take(484, 16); take(500, 16); end
+            if (changed[3]) begin take(518, 1); take(519, 32); take(551, 32); take(583, 32); take(615, 32); take(647, 32); take(679, 32); take(711, 32); take(743, 32); take(775, 32); take(807, 1); take(808, 31); take(839, 31); take(870, 1); take(871, 1); take(872, 24); take(896, 24); take(920, 24); take(944, 16); take(960, 16); take(976, 16); take(992, 16); take(1008, 16); take(1024, 16); take(1040, 16); take(1056, 16); take(1072, 16); take(1088, 16); take(1104, 16); take(1120, 16); take(1136, 16); take(1152, 16); take(1168, 9); take(1177, 9); take(1186, 9); take(1195, 9); take(1204, 10); take(1214, 10); take(1224, 10); take(1234, 10); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("splat_setup, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("splat_setup_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 33389 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[2] !== vector[2]) differ("in_ready");
+            if (found[516] !== vector[516]) differ("out_valid");
+            if (vector[516] && found[518] !== vector[518]) differ("out_end");
+            if (vector[516] && !vector[518] && found[550:519] !== vector[550:519]) differ("out_center_x");
+            if (vector[516] && !vector[518] && found[582:551] !== vector[582:551]) differ("out_center_y");
+            if (vector[516] && !vector[518] && found[614:583] !== vector[614:583]) differ("out_ax");
+            if (vector[516] && !vector[518] && found[646:615] !== vector[646:615]) differ("out_bx");
+            if (vector[516] && !vector[518] && found[678:647] !== vector[678:647]) differ("out_ay");
+            if (vector[516] && !vector[518] && found[710:679] !== vector[710:679]) differ("out_by");
+            if (vector[516] && !vector[518] && found[742:711] !== vector[742:711]) differ("out_delta");
+            if (vector[516] && !vector[518] && found[774:743] !== vector[774:743]) differ("out_mx");
+            if (vector[516] && !vector[518] && found[806:775] !== vector[806:775]) differ("out_my");
+            if (vector[516] && !vector[518] && found[807] !== vector[807]) differ("out_sight_negative");
+            if (vector[516] && !vector[518] && found[838:808] !== vector[838:808]) differ("out_sight_near");
+            if (vector[516] && !vector[518] && found[869:839] !== vector[869:839]) differ("out_sight_far");
+            if (vector[516] && !vector[518] && found[870] !== vector[870]) differ("out_sight_turned");
+            if (vector[516] && !vector[518] && found[871] !== vector[871]) differ("out_sight_disc");
+            if (vector[516] && !vector[518] && found[895:872] !== vector[895:872]) differ("out_depth");
+            if (vector[516] && !vector[518] && found[919:896] !== vector[919:896]) differ("out_depth_low");
+            if (vector[516] && !vector[518] && found[943:920] !== vector[943:920]) differ("out_depth_high");
+            if (vector[516] && !vector[518] && found[959:944] !== vector[959:944]) differ("out_attribute_0");
+            if (vector[516] && !vector[518] && found[975:960] !== vector[975:960]) differ("out_attribute_1");
+            if (vector[516] && !vector[518] && found[991:976] !== vector[991:976]) differ("out_attribute_2");
+            if (vector[516] && !vector[518] && found[1007:992] !== vector[1007:992]) differ("out_attribute_3");
+            if (vector[516] && !vector[518] && found[1023:1008] !== vector[1023:1008]) differ("out_attribute_4");
+            if (vector[516] && !vector[518] && found[1039:1024] !== vector[1039:1024]) differ("out_attribute_5");
+            if (vector[516] && !vector[518] && found[1055:1040] !== vector[1055:1040]) differ("out_attribute_6");
+            if (vector[516] && !vector[518] && found[1071:1056] !== vector[1071:1056]) differ("out_attribute_7");
+            if (vector[516] && !vector[518] && found[1087:1072] !== vector[1087:1072]) differ("out_attribute_8");
+            if (vector[516] && !vector[518] && found[1103:1088] !== vector[1103:1088]) differ("out_attribute_9");
+            if (vector[516] && !vector[518] && found[1119:1104] !== vector[1119:1104]) differ("out_attribute_10");
+            if (vector[516] && !vector[518] && found[1135:1120] !== vector[1135:1120]) differ("out_attribute_11");
+            if (vector[516] && !vector[518] && found[1151:1136] !== vector[1151:1136]) differ("out_attribute_12");
+            if (vector[516] && !vector[518] && found[1167:1152] !== vector[1167:1152]) differ("out_cardinal_0");
+            if (vector[516] && !vector[518] && found[1176:1168] !== vector[1176:1168]) differ("out_left");
+            if (vector[516] && !vector[518] && found[1185:1177] !== vector[1185:1177]) differ("out_right");
+            if (vector[516] && !vector[518] && found[1194:1186] !== vector[1194:1186]) differ("out_top");
+            if (vector[516] && !vector[518] && found[1203:1195] !== vector[1203:1195]) differ("out_bottom");
+            if (vector[516] && !vector[518] && found[1213:1204] !== vector[1213:1204]) differ("out_first_sum");
+            if (vector[516] && !vector[518] && found[1223:1214] !== vector[1223:1214]) differ("out_last_sum");
+            if (vector[516] && !vector[518] && found[1233:1224] !== vector[1233:1224]) differ("out_first_difference");
+            if (vector[516] && !vector[518] && found[1243:1234] !== vector[1243:1234]) differ("out_last_difference");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("splat_setup: 33389 cycles, 1129 items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule

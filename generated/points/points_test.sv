@@ -1,26 +1,40 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 18433 cycles of the bit-exact model at the ports of points_top, in which 552 items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
 //
-// points_test.hex is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
 // then the words of those that do.
 
 module points_test;
+    wire [1:0] passed;
+
+    points_top_replay replay_0 (.passed(passed[0]));
+    search_leaf_replay replay_1 (.passed(passed[1]));
+
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+
+// 18433 cycles of points_top, which 552 items leave.
+module points_top_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:35251];
+    reg [63:0] words [0:15810];
     reg [1261:0] vector = 0;
     reg [1261:0] next = 0;
     wire [1261:0] found;
     reg changes;
-    reg [7:0] changed;
+    reg [8:0] changed;
     integer place = 0;
     integer i;
     integer cycle;
     integer differences = 0;
 
-    points_top core (
+    points_top replayed (
         .clk(clk),
         .rst(rst || vector[0]),
         .tree_valid(vector[1]),
@@ -123,18 +137,19 @@ module points_test;
     task advance;
         begin
             take_bit(changes);
-            for (i = 0; i <= 7; i = i + 1) begin
+            for (i = 0; i <= 8; i = i + 1) begin
                 if (changes) take_bit(changed[i]);
                 else changed[i] = 1'b0;
             end
-            if (changed[0]) begin take(0, 1); take(1, 1); take(77, 6); take(83, 32); take(115, 32); take(147, 32); take(179, 16); take(195, 1); take(196, 1); take(317, 1); take(318, 1); take(348, 1); take(349, 1); take(761, 1); take(762, 1); take(785, 1); take(786, 1); take(979, 1); take(980, 1); take(1247, 1); take(1248, 1); take(1249, 1); take(1250, 1); take(1251, 1); take(1252, 1); take(1253, 1); take(1254, 1); take(1255, 1); take(1256, 1); take(1257, 1); take(1258, 1); take(1259, 1); take(1260, 1); take(1261, 1); end
-            if (changed[1]) begin take(2, 1); take(3, 14); take(17, 32); take(49, 2); take(51, 1); take(52, 22); take(74, 3); end
-            if (changed[2]) begin take(197, 24); take(221, 32); take(253, 32); take(285, 32); end
-            if (changed[3]) begin take(319, 4); take(323, 22); take(345, 3); end
-            if (changed[4]) begin take(350, 4); take(354, 22); take(376, 1); take(377, 32); take(409, 32); take(441, 32); take(473, 32); take(505, 32); take(537, 32); take(569, 32); take(601, 32); take(633, 32); take(665, 32); take(697, 32); take(729, 32); end
-            if (changed[5]) begin take(763, 22); end
-            if (changed[6]) begin take(787, 32); take(819, 32); take(851, 32); take(883, 32); take(915, 32); take(947, 32); end
-            if (changed[7]) begin take(981, 24); take(1005, 16); take(1021, 1); take(1022, 32); take(1054, 32); take(1086, 32); take(1118, 32); take(1150, 32); take(1182, 32); take(1214, 32); take(1246, 1); end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(195, 1); take(196, 1); take(317, 1); take(318, 1); take(348, 1); take(349, 1); take(761, 1); take(762, 1); take(785, 1); take(786, 1); take(979, 1); take(980, 1); take(1247, 1); take(1248, 1); take(1249, 1); take(1250, 1); take(1251, 1); take(1252, 1); take(1253, 1); take(1254, 1); take(1255, 1); take(1256, 1); take(1257, 1); take(1258, 1); take(1259, 1); take(1260, 1); take(1261, 1); end
+            if (changed[1]) begin take(77, 6); take(83, 32); take(115, 32); take(147, 32); take(179, 16); end
+            if (changed[2]) begin take(2, 1); take(3, 14); take(17, 32); take(49, 2); take(51, 1); take(52, 22); take(74, 3); end
+            if (changed[3]) begin take(197, 24); take(221, 32); take(253, 32); take(285, 32); end
+            if (changed[4]) begin take(319, 4); take(323, 22); take(345, 3); end
+            if (changed[5]) begin take(350, 4); take(354, 22); take(376, 1); take(377, 32); take(409, 32); take(441, 32); take(473, 32); take(505, 32); take(537, 32); take(569, 32); take(601, 32); take(633, 32); take(665, 32); take(697, 32); take(729, 32); end
+            if (changed[6]) begin take(763, 22); end
+            if (changed[7]) begin take(787, 32); take(819, 32); take(851, 32); take(883, 32); take(915, 32); take(947, 32); end
+            if (changed[8]) begin take(981, 24); take(1005, 16); take(1021, 1); take(1022, 32); take(1054, 32); take(1086, 32); take(1118, 32); take(1150, 32); take(1182, 32); take(1214, 32); take(1246, 1); end
             vector = next;
         end
     endtask
@@ -142,7 +157,7 @@ module points_test;
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("points_top, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -192,7 +207,147 @@ module points_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 18433 cycles, 552 items, every output as the model's");
-        $finish;
+        $display("points_top: 18433 cycles, 552 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// 4516 cycles of search_leaf, which 3681 items leave.
+module search_leaf_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:22093];
+    reg [860:0] vector = 0;
+    reg [860:0] next = 0;
+    wire [860:0] found;
+    reg changes;
+    reg [6:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    search_leaf replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .tree_valid(vector[1]),
+        .tree_is_leaf(vector[1] ? vector[2] : ~vector[2]),
+        .tree_address(vector[1] ? vector[16:3] : ~vector[16:3]),
+        .tree_split(vector[1] ? vector[48:17] : ~vector[48:17]),
+        .tree_dimension(vector[1] ? vector[50:49] : ~vector[50:49]),
+        .tree_internal_leaf(vector[1] ? vector[51] : ~vector[51]),
+        .tree_begin(vector[1] ? vector[73:52] : ~vector[73:52]),
+        .tree_beats(vector[1] ? vector[76:74] : ~vector[76:74]),
+        .leaf_valid(vector[77]),
+        .leaf_ready(found[78]),
+        .leaf_thread(vector[77] ? vector[82:79] : ~vector[82:79]),
+        .leaf_leaf(vector[77] ? vector[96:83] : ~vector[96:83]),
+        .fetch_valid(found[97]),
+        .fetch_ready(vector[98]),
+        .fetch_thread(found[102:99]),
+        .fetch_address(found[124:103]),
+        .fetch_beats(found[127:125]),
+        .start_valid(vector[128]),
+        .start_thread(vector[128] ? vector[132:129] : ~vector[132:129]),
+        .start_number(vector[128] ? vector[156:133] : ~vector[156:133]),
+        .start_k(vector[128] ? vector[162:157] : ~vector[162:157]),
+        .start_radius2(vector[128] ? vector[194:163] : ~vector[194:163]),
+        .start_x(vector[128] ? vector[226:195] : ~vector[226:195]),
+        .start_y(vector[128] ? vector[258:227] : ~vector[258:227]),
+        .start_z(vector[128] ? vector[290:259] : ~vector[290:259]),
+        .beat_valid(vector[291]),
+        .beat_ready(found[292]),
+        .beat_thread(vector[291] ? vector[296:293] : ~vector[296:293]),
+        .beat_address(vector[291] ? vector[318:297] : ~vector[318:297]),
+        .beat_last(vector[291] ? vector[319] : ~vector[319]),
+        .beat_x0(vector[291] ? vector[351:320] : ~vector[351:320]),
+        .beat_y0(vector[291] ? vector[383:352] : ~vector[383:352]),
+        .beat_z0(vector[291] ? vector[415:384] : ~vector[415:384]),
+        .beat_x1(vector[291] ? vector[447:416] : ~vector[447:416]),
+        .beat_y1(vector[291] ? vector[479:448] : ~vector[479:448]),
+        .beat_z1(vector[291] ? vector[511:480] : ~vector[511:480]),
+        .beat_x2(vector[291] ? vector[543:512] : ~vector[543:512]),
+        .beat_y2(vector[291] ? vector[575:544] : ~vector[575:544]),
+        .beat_z2(vector[291] ? vector[607:576] : ~vector[607:576]),
+        .beat_x3(vector[291] ? vector[639:608] : ~vector[639:608]),
+        .beat_y3(vector[291] ? vector[671:640] : ~vector[671:640]),
+        .beat_z3(vector[291] ? vector[703:672] : ~vector[703:672]),
+        .candidates_valid(found[704]),
+        .candidates_ready(vector[705]),
+        .candidates_thread(found[709:706]),
+        .candidates_address(found[731:710]),
+        .candidates_last(found[732]),
+        .candidates_distance0(found[764:733]),
+        .candidates_distance1(found[796:765]),
+        .candidates_distance2(found[828:797]),
+        .candidates_distance3(found[860:829])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 6; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(77, 1); take(78, 1); take(97, 1); take(98, 1); take(128, 1); take(291, 1); take(292, 1); take(704, 1); take(705, 1); end
+            if (changed[1]) begin take(2, 1); take(3, 14); take(17, 32); take(49, 2); take(51, 1); take(52, 22); take(74, 3); end
+            if (changed[2]) begin take(79, 4); take(83, 14); end
+            if (changed[3]) begin take(99, 4); take(103, 22); take(125, 3); end
+            if (changed[4]) begin take(129, 4); take(133, 24); take(157, 6); take(163, 32); take(195, 32); take(227, 32); take(259, 32); end
+            if (changed[5]) begin take(293, 4); take(297, 22); take(319, 1); take(320, 32); take(352, 32); take(384, 32); take(416, 32); take(448, 32); take(480, 32); take(512, 32); take(544, 32); take(576, 32); take(608, 32); take(640, 32); take(672, 32); end
+            if (changed[6]) begin take(706, 4); take(710, 22); take(732, 1); take(733, 32); take(765, 32); take(797, 32); take(829, 32); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("search_leaf, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("search_leaf_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 4516 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[78] !== vector[78]) differ("leaf_ready");
+            if (found[97] !== vector[97]) differ("fetch_valid");
+            if (vector[97] && found[102:99] !== vector[102:99]) differ("fetch_thread");
+            if (vector[97] && found[124:103] !== vector[124:103]) differ("fetch_address");
+            if (vector[97] && found[127:125] !== vector[127:125]) differ("fetch_beats");
+            if (found[292] !== vector[292]) differ("beat_ready");
+            if (found[704] !== vector[704]) differ("candidates_valid");
+            if (vector[704] && found[709:706] !== vector[709:706]) differ("candidates_thread");
+            if (vector[704] && found[731:710] !== vector[731:710]) differ("candidates_address");
+            if (vector[704] && found[732] !== vector[732]) differ("candidates_last");
+            if (vector[704] && found[764:733] !== vector[764:733]) differ("candidates_distance0");
+            if (vector[704] && found[796:765] !== vector[796:765]) differ("candidates_distance1");
+            if (vector[704] && found[828:797] !== vector[828:797]) differ("candidates_distance2");
+            if (vector[704] && found[860:829] !== vector[860:829]) differ("candidates_distance3");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("search_leaf: 4516 cycles, 3681 items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule

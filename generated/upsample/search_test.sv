@@ -1,12 +1,26 @@
 // Written by pointcore 0.1.0; do not edit.
-// Replays 220587 cycles of the bit-exact model at the ports of search_top, in which 17107 items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
 //
-// search_test.hex is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
 // then the words of those that do.
 
 module search_test;
+    wire [1:0] passed;
+
+    search_top_replay replay_0 (.passed(passed[0]));
+    search_leaf_replay replay_1 (.passed(passed[1]));
+
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+
+// 220587 cycles of search_top, which 17107 items leave.
+module search_top_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
     reg [63:0] words [0:103287];
@@ -20,7 +34,7 @@ module search_test;
     integer cycle;
     integer differences = 0;
 
-    search_top core (
+    search_top replayed (
         .clk(clk),
         .rst(rst || vector[0]),
         .lookup_valid(found[1]),
@@ -130,7 +144,7 @@ module search_test;
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("search_top, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -173,7 +187,122 @@ module search_test;
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: 220587 cycles, 17107 items, every output as the model's");
-        $finish;
+        $display("search_top: 220587 cycles, 17107 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// 4452 cycles of search_leaf, which 2152 items leave.
+module search_leaf_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:19942];
+    reg [733:0] vector = 0;
+    reg [733:0] next = 0;
+    wire [733:0] found;
+    reg changes;
+    reg [3:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    search_leaf replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .start_valid(vector[1]),
+        .start_thread(vector[1] ? vector[5:2] : ~vector[5:2]),
+        .start_number(vector[1] ? vector[29:6] : ~vector[29:6]),
+        .start_k(vector[1] ? vector[35:30] : ~vector[35:30]),
+        .start_radius2(vector[1] ? vector[67:36] : ~vector[67:36]),
+        .start_x(vector[1] ? vector[99:68] : ~vector[99:68]),
+        .start_y(vector[1] ? vector[131:100] : ~vector[131:100]),
+        .start_z(vector[1] ? vector[163:132] : ~vector[163:132]),
+        .beat_valid(vector[164]),
+        .beat_ready(found[165]),
+        .beat_thread(vector[164] ? vector[169:166] : ~vector[169:166]),
+        .beat_address(vector[164] ? vector[191:170] : ~vector[191:170]),
+        .beat_last(vector[164] ? vector[192] : ~vector[192]),
+        .beat_x0(vector[164] ? vector[224:193] : ~vector[224:193]),
+        .beat_y0(vector[164] ? vector[256:225] : ~vector[256:225]),
+        .beat_z0(vector[164] ? vector[288:257] : ~vector[288:257]),
+        .beat_x1(vector[164] ? vector[320:289] : ~vector[320:289]),
+        .beat_y1(vector[164] ? vector[352:321] : ~vector[352:321]),
+        .beat_z1(vector[164] ? vector[384:353] : ~vector[384:353]),
+        .beat_x2(vector[164] ? vector[416:385] : ~vector[416:385]),
+        .beat_y2(vector[164] ? vector[448:417] : ~vector[448:417]),
+        .beat_z2(vector[164] ? vector[480:449] : ~vector[480:449]),
+        .beat_x3(vector[164] ? vector[512:481] : ~vector[512:481]),
+        .beat_y3(vector[164] ? vector[544:513] : ~vector[544:513]),
+        .beat_z3(vector[164] ? vector[576:545] : ~vector[576:545]),
+        .candidates_valid(found[577]),
+        .candidates_ready(vector[578]),
+        .candidates_thread(found[582:579]),
+        .candidates_address(found[604:583]),
+        .candidates_last(found[605]),
+        .candidates_distance0(found[637:606]),
+        .candidates_distance1(found[669:638]),
+        .candidates_distance2(found[701:670]),
+        .candidates_distance3(found[733:702])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 3; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(164, 1); take(165, 1); take(577, 1); take(578, 1); end
+            if (changed[1]) begin take(2, 4); take(6, 24); take(30, 6); take(36, 32); take(68, 32); take(100, 32); take(132, 32); end
+            if (changed[2]) begin take(166, 4); take(170, 22); take(192, 1); take(193, 32); take(225, 32); take(257, 32); take(289, 32); take(321, 32); take(353, 32); take(385, 32); take(417, 32); take(449, 32); take(481, 32); take(513, 32); take(545, 32); end
+            if (changed[3]) begin take(579, 4); take(583, 22); take(605, 1); take(606, 32); take(638, 32); take(670, 32); take(702, 32); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("search_leaf, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("search_leaf_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 4452 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[165] !== vector[165]) differ("beat_ready");
+            if (found[577] !== vector[577]) differ("candidates_valid");
+            if (vector[577] && found[582:579] !== vector[582:579]) differ("candidates_thread");
+            if (vector[577] && found[604:583] !== vector[604:583]) differ("candidates_address");
+            if (vector[577] && found[605] !== vector[605]) differ("candidates_last");
+            if (vector[577] && found[637:606] !== vector[637:606]) differ("candidates_distance0");
+            if (vector[577] && found[669:638] !== vector[669:638]) differ("candidates_distance1");
+            if (vector[577] && found[701:670] !== vector[701:670]) differ("candidates_distance2");
+            if (vector[577] && found[733:702] !== vector[733:702]) differ("candidates_distance3");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("search_leaf: 4452 cycles, 2152 items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule

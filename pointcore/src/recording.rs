@@ -1,7 +1,7 @@
 //! What a golden model did at its ports in every cycle, as vectors for a test.
 
-use pointcore_contract::Direction;
-use pointcore_contract::Port;
+use pointcore_contract::{Direction, Port, Unit, count, write};
+use pointcore_golden::unit::Model;
 use rtl::StreamDeclaration;
 
 /// The words of every port in every cycle.
@@ -57,7 +57,7 @@ impl Recording {
     }
 
     /// The ports that change together, each group with the port that says whether it counts: the fields of each stream with
-    /// its flag, and before them, without one, all other ports.
+    /// its flag, and before them, without one, all other ports, first those of one bit, which change often.
     #[must_use]
     pub fn groups(&self, streams: &[StreamDeclaration]) -> Vec<Group> {
         let place = |name: &str| self.ports.iter().position(|port| port.name == name).expect("the core has the port");
@@ -67,8 +67,10 @@ impl Recording {
         };
         let fields: Vec<_> = streams.iter().map(of_stream).filter(|group| !group.members.is_empty()).collect();
         let is_field = |port: &usize| fields.iter().any(|group| group.members.contains(port));
-        let others = (0..self.ports.len()).filter(|port| !is_field(port)).collect();
-        [Group { members: others, flag: None }].into_iter().chain(fields).collect()
+        let (bits, words): (Vec<_>, Vec<_>) =
+            (0..self.ports.len()).filter(|port| !is_field(port)).partition(|port| self.ports[*port].width == 1);
+        let others = [bits, words].into_iter().filter(|members| !members.is_empty());
+        others.map(|members| Group { members, flag: None }).chain(fields).collect()
     }
 
     /// The recording as a sequence of bits: in every cycle a bit, whether anything changes, and if so a bit for each group,
@@ -95,6 +97,43 @@ impl Recording {
             }
         }
         sequence
+    }
+}
+
+/// A unit's golden model, of which every cycle is recorded.
+#[derive(Clone, Debug)]
+pub struct Recorder<M: Model> {
+    config: M::Config,
+    model: M,
+    inputs: Vec<u64>,
+    outputs: Vec<u64>,
+    recording: Recording,
+}
+
+impl<M: Model> Recorder<M> {
+    /// Begins with a model in its initial state, as a reset leaves it.
+    pub fn new(config: &M::Config, unit: &Unit<M::Config>, model: M) -> Self {
+        let list = unit.ports(config);
+        let (inputs, outputs) = count(&list);
+        let (inputs, outputs) = (vec![0; inputs], vec![0; outputs]);
+        Self { config: config.clone(), model, inputs, outputs, recording: Recording::new(list) }
+    }
+
+    /// A cycle without reset, of which it returns what the unit shows.
+    pub fn step(&mut self, inputs: &M::In) -> M::Out {
+        // The reset is the first of the inputs.
+        write(&self.config, *inputs, &mut self.inputs[1..]);
+        let shown = self.model.outputs();
+        write(&self.config, shown, &mut self.outputs);
+        self.recording.push(&self.inputs, &self.outputs);
+        self.model.clock(inputs);
+        shown
+    }
+
+    /// What it did.
+    #[must_use]
+    pub fn into_recording(self) -> Recording {
+        self.recording
     }
 }
 

@@ -53,7 +53,7 @@ impl Schemata {
         let script = format!(
             "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}\
              mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations {selection}\n\
-             script mutations\ndelete -port {top}/{CHOICE}\nwrite_verilog -noattr -norename mutated.v\n"
+             script mutations\ndelete -port */{CHOICE}\nwrite_verilog -noattr -norename mutated.v\n"
         );
         let path = folder.join("mutate.ys");
         fs::write(&path, script).map_err(file("write", &path))?;
@@ -68,21 +68,23 @@ impl Schemata {
             None => line.to_owned(),
         };
         let mutations = read("mutations")?.lines().map(plain).collect();
-        Ok(Self { verilog: chosen_by_argument(&read("mutated.v")?, top), mutations })
+        Ok(Self { verilog: chosen_by_argument(&read("mutated.v")?), mutations })
     }
 }
 
-/// The text with the choice, which nothing drives, read from the simulator's command line.
-fn chosen_by_argument(netlist: &str, top: &str) -> String {
+/// The text with the choice, which nothing drives and modules have no port for, read from the simulator's command line by each
+/// of them: a test may have a module alone.
+fn chosen_by_argument(netlist: &str) -> String {
     let wire = format!("  wire [{}:0] {CHOICE};\n", CHOICE_BITS - 1);
     let variable = format!(
         "  reg [{}:0] {CHOICE};\n  initial if (!$value$plusargs(\"{CHOICE}=%d\", {CHOICE})) {CHOICE} = 0;\n",
         CHOICE_BITS - 1
     );
-    let begin = netlist.find(&format!("module {top}(")).unwrap_or(0);
-    let (before, module) = netlist.split_at(begin);
-    let lint: String = LINT.split_whitespace().map(|rule| format!("/* verilator lint_off {rule} */\n")).collect();
-    format!("{lint}{before}{}", module.replacen(&wire, &variable, 1))
+    let lint = LINT.split_whitespace().map(|rule| format!("/* verilator lint_off {rule} */\n"));
+    let connection = format!("    .{CHOICE}({CHOICE})");
+    // Where it is an instance's last, none follows those before it.
+    let unconnected = netlist.replace(&format!(",\n{connection}\n"), "\n").replace(&format!("{connection},\n"), "");
+    lint.collect::<String>() + &unconnected.replace(&wire, &variable)
 }
 
 #[cfg(test)]
@@ -90,10 +92,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_top_reads_the_command_line() {
-        let netlist = "module a(mutant);\n  wire [15:0] mutant;\nendmodule\nmodule top(x);\n  wire [15:0] mutant;\n";
-        let text = chosen_by_argument(netlist, "top");
-        assert!(text.contains("module a(mutant);\n  wire [15:0] mutant;"), "{text}");
-        assert!(text.contains("module top(x);\n  reg [15:0] mutant;\n  initial if (!$value$plusargs("), "{text}");
+    fn each_module_reads_the_command_line() {
+        let netlist = "module a(x);\n  wire [15:0] mutant;\nendmodule\nmodule top(x);\n  wire [15:0] mutant;\n  \
+            a first (\n    .mutant(mutant),\n    .x(x)\n  );\n  a last (\n    .x(x),\n    .mutant(mutant)\n  );\nendmodule\n";
+        let text = chosen_by_argument(netlist);
+        assert_eq!(text.matches("  reg [15:0] mutant;\n  initial if (!$value$plusargs(").count(), 2, "{text}");
+        assert!(text.contains("a first (\n    .x(x)\n  );\n  a last (\n    .x(x)\n  );"), "{text}");
     }
 }

@@ -67,12 +67,13 @@ impl<'a> SelfTest<'a> {
         let core = module.strip_suffix("_axi").map(|core| format!("{core}_top"));
         let others = core.as_ref().map(|core| read_text(&folder.join(format!("{core}.v")))).transpose()?;
         let others = others.unwrap_or_default();
-        let copy = |file_name: String| {
-            let source = folder.join(file_name);
-            fs::copy(&source, work.join(source.file_name().unwrap_or_default())).map_err(file("copy", &source))
-        };
-        copy(format!("{test}.sv"))?;
-        copy(format!("{test}.hex"))?;
+        for entry in fs::read_dir(folder).map_err(file("read", folder))? {
+            let source = entry.map_err(file("read", folder))?.path();
+            let name = source.file_name().unwrap_or_default();
+            if name == format!("{test}.sv").as_str() || source.extension().is_some_and(|ending| ending == "hex") {
+                fs::copy(&source, work.join(name)).map_err(file("copy", &source))?;
+            }
+        }
         let others_path = work.join("others.v");
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");

@@ -26,6 +26,7 @@ use pointcore_tb::lockstep::LockstepError;
 use rtl::Design;
 use serde_json::json;
 use std::collections::BTreeMap;
+use testbench::Replayed;
 
 /// What generated files say of their origin.
 const GENERATOR: &str = concat!("pointcore ", env!("CARGO_PKG_VERSION"));
@@ -100,7 +101,7 @@ impl Package {
         let bus = Bus::splat(config)?;
         package.add_bus(&bus, &Interface::splat(config));
         package.add_pins(&Configuration::Splat(config.clone()))?;
-        package.add_test(&core.design, &splat::record(config, core));
+        package.add_test(&core.design, &splat::record(config, core), &splat::record_setup(config, core)?);
         package.add_axi_test(&bus, axi_test::of_splat(&bus.design, core, config)?);
         Ok(package)
     }
@@ -115,7 +116,8 @@ impl Package {
         let bus = Bus::search(config)?;
         package.add_bus(&bus, &Interface::search(config));
         package.add_pins(&Configuration::Search(config.clone()))?;
-        package.add_test(&core.design, &search::record(config, core)?);
+        let leaf = search::record_leaf(config, core.latencies().distance)?;
+        package.add_test(&core.design, &search::record(config, core)?, &leaf);
         package.add_axi_test(&bus, axi_test::of_search(&bus.design, config)?);
         Ok(package)
     }
@@ -130,7 +132,8 @@ impl Package {
         let bus = Bus::points(config)?;
         package.add_bus(&bus, &Interface::points(config));
         package.add_pins(&Configuration::Points(config.clone()))?;
-        package.add_test(&core.design, &points::record(config, core)?);
+        let leaf = search::record_leaf(&config.search, core.latencies().search.distance)?;
+        package.add_test(&core.design, &points::record(config, core)?, &leaf);
         package.add_axi_test(&bus, axi_test::of_points(&bus.design, config)?);
         Ok(package)
     }
@@ -202,13 +205,13 @@ impl Package {
         Ok(())
     }
 
-    /// A test that replays what the golden model did.
-    fn add_test(&mut self, design: &Design, recording: &Recording) {
+    /// A test that replays what golden models did, of the whole and of a unit alone.
+    fn add_test(&mut self, design: &Design, recording: &Recording, (unit, alone): &(Design, Recording)) {
         let name = format!("{}_test", self.top.trim_end_matches("_top"));
-        let vectors = format!("{name}.hex");
-        let (text, contents) = testbench::files(&name, &vectors, design, recording);
-        self.add(format!("{name}.sv"), text, Role::Test);
-        self.add(vectors, contents, Role::Test);
+        let parts = [Replayed { design, recording }, Replayed { design: unit, recording: alone }];
+        for (file, text) in testbench::files(&name, &parts) {
+            self.add(file, text, Role::Test);
+        }
     }
 
     /// A test that plays a script on the buses.

@@ -107,22 +107,72 @@ fn comparisons(design: &Design, recording: &Recording) -> String {
     recording.ports().iter().filter(|port| port.direction == Specified::Output).map(line).collect()
 }
 
-/// The test's text, and the recording that it reads as `vectors` from the folder that it runs in.
-pub fn files(name: &str, vectors: &str, design: &Design, recording: &Recording) -> (String, String) {
+/// A part of the core, which may be all of it, and what its golden model did at its ports.
+#[derive(Clone, Copy, Debug)]
+pub struct Replayed<'a> {
+    /// The part.
+    pub design: &'a Design,
+    /// At the ports of the design.
+    pub recording: &'a Recording,
+}
+
+impl Replayed<'_> {
+    /// The file with the recording.
+    fn vectors(&self) -> String {
+        format!("{}_test.hex", self.design.top().trim_end_matches("_top"))
+    }
+
+    /// The module that replays.
+    fn module(&self) -> String {
+        format!("{}_replay", self.design.top())
+    }
+}
+
+/// The test's files: its text, and the recordings that it reads from the folder that it runs in.
+pub fn files(name: &str, parts: &[Replayed]) -> Vec<(String, String)> {
+    let (replays, vectors): (Vec<_>, Vec<_>) = parts.iter().map(replay).unzip();
+    let instance = |(place, part): (usize, &Replayed)| {
+        format!("    {} replay_{place} (.passed(passed[{place}]));\n", part.module())
+    };
+    let instances: String = parts.iter().enumerate().map(instance).collect();
+    let high = parts.len() - 1;
+    let text = format!(
+        r#"// Written by {GENERATOR}; do not edit.
+// Replays what bit-exact models did at their ports, and compares every output in every cycle; a stream's fields count while it is valid, and
+// those that go in are spoilt while it is not. For Verilator, whose registers start at random values: in a simulator with unknown values,
+// what is not reset stays unknown longer than in hardware.
+//
+// A recording is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// then the words of those that do.
+
+module {name};
+    wire [{high}:0] passed;
+
+{instances}
+    initial begin
+        wait (&passed);
+        $display("PASSED");
+        $finish;
+    end
+endmodule
+{}"#,
+        replays.concat()
+    );
+    [(format!("{name}.sv"), text)].into_iter().chain(vectors).collect()
+}
+
+/// The module that replays a part, and the file with what it reads.
+fn replay(part: &Replayed) -> (String, (String, String)) {
+    let Replayed { design, recording } = part;
     let (top, cycles, high) = (design.top(), recording.cycles(), recording.width() - 1);
     let items: usize = output_streams(design).map(|stream| recording.transfers(stream)).sum();
     let groups = recording.groups(design.streams());
     let sequence = recording.encode(&groups);
+    let vectors = part.vectors();
     let text = format!(
-        r#"// Written by {GENERATOR}; do not edit.
-// Replays {cycles} cycles of the bit-exact model at the ports of {top}, in which {items} items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
-// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
-//
-// {vectors} is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
-// then the words of those that do.
-
-module {name};
+        r#"
+// {cycles} cycles of {top}, which {items} items leave.
+module {module}(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
     reg [{word_high}:0] words [0:{last}];
@@ -136,7 +186,7 @@ module {name};
     integer cycle;
     integer differences = 0;
 
-    {top} core (
+    {top} replayed (
 {connections}
     );
 
@@ -169,7 +219,7 @@ module {name};
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
-            $display("cycle %0d: %0s differs from the model", cycle, port);
+            $display("{top}, cycle %0d: %0s differs from the model", cycle, port);
         end
     endtask
 
@@ -183,11 +233,12 @@ module {name};
 {comparisons}            @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");
-        $display("PASSED: {cycles} cycles, {items} items, every output as the model's");
-        $finish;
+        $display("{top}: {cycles} cycles, {items} items, every output as the model's");
+        passed = 1'b1;
     end
 endmodule
 "#,
+        module = part.module(),
         word_bits = BitSequence::WORD_BITS,
         word_high = BitSequence::WORD_BITS - 1,
         group_high = groups.len() - 1,
@@ -196,5 +247,5 @@ endmodule
         connections = connections(design, recording),
         comparisons = comparisons(design, recording),
     );
-    (text, sequence.hexadecimal())
+    (text, (vectors, sequence.hexadecimal()))
 }
