@@ -93,9 +93,10 @@ fn the_test_that_goes_with_an_axi_top_passes_and_finds_faults() {
         let vectors = folder.join(format!("{core}_axi_test.hex"));
         let script = read(&vectors);
         let first_operation = usize::from_str_radix(script.lines().nth(1).expect("a header"), 16).expect("a number");
+        let expected = first_read(&script, first_operation) + 1;
         let wrong = script.lines().enumerate().map(|(place, word)| {
             let value = u32::from_str_radix(word, 16).expect("a word");
-            format!("{:x}\n", if place == first_read(&script, first_operation) + 1 { value ^ 1 } else { value })
+            format!("{:x}\n", if place == expected { value ^ 1 } else { value })
         });
         fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
         let (passed, text) = simulated_on_axi(core, &folder);
