@@ -1,7 +1,8 @@
 //! What a golden model did at its ports in every cycle, as vectors for a test.
 
-use pointcore_contract::{Direction, Port, Unit, count, write};
-use pointcore_golden::unit::Model;
+use pointcore_contract::{Direction, Port, Unit, count, read, write};
+use pointcore_golden::unit::{Model, Ported, Unit as _};
+use pointcore_tb::lockstep::{Flow, Stimulus};
 use rtl::StreamDeclaration;
 
 /// The words of every port in every cycle.
@@ -100,11 +101,11 @@ impl Recording {
     }
 }
 
-/// A unit's golden model, of which every cycle is recorded.
+/// A golden model, of which every cycle is recorded.
 #[derive(Clone, Debug)]
 pub struct Recorder<M: Model> {
     config: M::Config,
-    model: M,
+    golden: Ported<M>,
     inputs: Vec<u64>,
     outputs: Vec<u64>,
     recording: Recording,
@@ -116,18 +117,44 @@ impl<M: Model> Recorder<M> {
         let list = unit.ports(config);
         let (inputs, outputs) = count(&list);
         let (inputs, outputs) = (vec![0; inputs], vec![0; outputs]);
-        Self { config: config.clone(), model, inputs, outputs, recording: Recording::new(list) }
+        Self {
+            config: config.clone(),
+            golden: Ported::new(config, model),
+            inputs,
+            outputs,
+            recording: Recording::new(list),
+        }
     }
 
-    /// A cycle without reset, of which it returns what the unit shows.
-    pub fn step(&mut self, inputs: &M::In) -> M::Out {
-        // The reset is the first of the inputs.
-        write(&self.config, *inputs, &mut self.inputs[1..]);
-        let shown = self.model.outputs();
-        write(&self.config, shown, &mut self.outputs);
+    /// A cycle with what the inputs hold.
+    pub fn clock(&mut self) {
+        self.golden.step(&self.inputs, &mut self.outputs);
         self.recording.push(&self.inputs, &self.outputs);
-        self.model.clock(inputs);
-        shown
+    }
+
+    /// A cycle of reset, in which all other inputs are low; they stay so.
+    pub fn reset(&mut self) {
+        self.inputs.fill(0);
+        // It is the first of the inputs.
+        self.inputs[0] = 1;
+        self.clock();
+        self.inputs[0] = 0;
+    }
+
+    /// A cycle, unless the host is done.
+    pub fn drive(&mut self, cycle: u64, host: &mut impl Stimulus) -> Flow {
+        let flow = host.drive(cycle, &self.outputs, &mut self.inputs);
+        if flow == Flow::Continue {
+            self.clock();
+        }
+        flow
+    }
+
+    /// A cycle without reset in which the unit sees this; returns what it shows.
+    pub fn step(&mut self, seen: &M::In) -> M::Out {
+        write(&self.config, *seen, &mut self.inputs[1..]);
+        self.clock();
+        read(&self.config, &self.outputs)
     }
 
     /// What it did.

@@ -3,15 +3,13 @@
 use super::generate::PointsCore;
 use super::host::{PointsHost, Task, Work};
 use crate::number::encode;
-use crate::recording::Recording;
+use crate::recording::{Recorder, Recording};
 use crate::search::{MemorySettings, PointSet, Reuse, SearchError, Splitting, Tree};
 use fastrand::Rng;
-use pointcore_contract::count;
 use pointcore_contract::points::{Config, units};
 use pointcore_contract::process::{Scalar, Word};
 use pointcore_golden::points::Top;
-use pointcore_golden::unit::{Ported, Unit};
-use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus};
+use pointcore_tb::lockstep::{Flow, Stall, Stalls};
 
 /// Runs, each with points of its own.
 const RUNS: u64 = 12;
@@ -34,11 +32,7 @@ fn word(config: &Config, random: &mut Rng, Word { ty, .. }: &Word) -> u32 {
 /// # Errors
 /// The core is stuck.
 pub fn record(config: &Config, core: &PointsCore) -> Result<Recording, SearchError> {
-    let list = units::top::UNIT.ports(config);
-    let (inputs, outputs) = count(&list);
-    let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-    let mut golden = Ported::new(config, Top::new(config, core.latencies()));
-    let mut recording = Recording::new(list);
+    let mut recorder = Recorder::new(config, &units::top::UNIT, Top::new(config, core.latencies()));
     for seed in 0..RUNS {
         let random = &mut Rng::with_seed(seed);
         let Config { search, process } = config;
@@ -61,21 +55,15 @@ pub fn record(config: &Config, core: &PointsCore) -> Result<Recording, SearchErr
         let work = Work { config, tree: &tree, task, reuse: Reuse::default(), memory };
         let stalls = Stalls::new(Stall::Varied, random.fork());
         let mut host = PointsHost::new(work, stalls, seed, &|_, _| {});
-        // Caches forget the points of the run before; the reset is the first of the inputs.
-        inputs.fill(0);
-        inputs[0] = 1;
-        golden.step(&inputs, &mut outputs);
-        recording.push(&inputs, &outputs);
-        inputs[0] = 0;
+        // Caches forget the points of the run before.
+        recorder.reset();
         let mut cycle = 0;
-        while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
-            golden.step(&inputs, &mut outputs);
-            recording.push(&inputs, &outputs);
+        while recorder.drive(cycle, &mut host) == Flow::Continue {
             cycle += 1;
         }
         if host.is_stuck {
             return Err(SearchError::Stuck { cycle, answered: host.answered, queries: QUERIES });
         }
     }
-    Ok(recording)
+    Ok(recorder.into_recording())
 }

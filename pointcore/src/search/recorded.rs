@@ -2,16 +2,14 @@
 
 use super::SearchError;
 use super::generate::SearchCore;
-use crate::recording::Recording;
+use crate::recording::{Recorder, Recording};
 use crate::stimuli::pace::Paces;
 use crate::stimuli::searcher::{Answers, BEAT, Bounds, FETCH, QUERY, RESULT, STREAMS, Script, Searcher};
 use crate::stimuli::surroundings::Surroundings;
 use fastrand::Rng;
-use pointcore_contract::count;
 use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Top;
-use pointcore_golden::unit::{Ported, Unit};
-use pointcore_tb::lockstep::{Flow, Stimulus};
+use pointcore_tb::lockstep::Flow;
 
 /// Runs, each with a tree of its own: what a fault needs to show comes in one of them.
 const RUNS: u64 = 112;
@@ -31,11 +29,7 @@ const QUIET_CYCLES: u64 = 20_000;
 /// # Errors
 /// The core is stuck.
 pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchError> {
-    let list = units::top::UNIT.ports(config);
-    let (inputs, outputs) = count(&list);
-    let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-    let mut golden = Ported::new(config, Top::new(config, core.latencies()));
-    let mut recording = Recording::new(list);
+    let mut recorder = Recorder::new(config, &units::top::UNIT, Top::new(config, core.latencies()));
     for seed in 0..RUNS {
         let mut random = Rng::with_seed(seed);
         let free = || Paces::in_turns(STREAMS, None);
@@ -50,15 +44,10 @@ pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchErr
             _ => Script::random(config, BOUNDS, &mut random),
         };
         let mut host = Searcher::new(config, script, None, QUIET_CYCLES, random);
-        // Caches forget the tree of the run before; the reset is the first of the inputs.
-        inputs.fill(0);
-        inputs[0] = 1;
-        golden.step(&inputs, &mut outputs);
-        recording.push(&inputs, &outputs);
+        // Caches forget the tree of the run before.
+        recorder.reset();
         let mut cycle = 0;
-        while host.drive(cycle, &outputs, &mut inputs) == Flow::Continue {
-            golden.step(&inputs, &mut outputs);
-            recording.push(&inputs, &outputs);
+        while recorder.drive(cycle, &mut host) == Flow::Continue {
             cycle += 1;
         }
         if let Some(cycle) = host.stuck() {
@@ -66,5 +55,5 @@ pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchErr
             return Err(SearchError::Stuck { cycle, answered: pending.done, queries: pending.expected });
         }
     }
-    Ok(recording)
+    Ok(recorder.into_recording())
 }

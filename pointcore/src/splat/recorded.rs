@@ -1,17 +1,15 @@
 //! Beginnings of small frames, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
 use super::generate::SplatCore;
-use crate::recording::Recording;
+use crate::recording::{Recorder, Recording};
 use crate::stimuli::frames::{Lens, Place, about, around};
 use crate::stimuli::pace::Paces;
 use crate::stimuli::renderer::{DATA, READ, Renderer, Script, WRITE, streams};
 use fastrand::Rng;
 use glam::Vec3;
-use pointcore_contract::count;
 use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Top;
-use pointcore_golden::unit::{Ported, Unit};
-use pointcore_tb::lockstep::{Flow, Stall, Stimulus};
+use pointcore_tb::lockstep::{Flow, Stall};
 
 /// Runs of ordinary frames, each with what is in it: paces of streams, and discs that overlap more, or less.
 const RUNS: [(Stall, Place, u32); 8] = [
@@ -57,64 +55,44 @@ const fn place(spread: f32, log2_radius: f32) -> Place {
 /// Records frames on the hardware of a configuration.
 #[must_use]
 pub fn record(config: &Config, core: &SplatCore) -> Recording {
-    let mut recorder = Recorder::new(config, core);
+    let top = Top::new(config, &core.latencies());
+    let mut runs = Runs { config, recorder: Recorder::new(config, &units::top::UNIT, top) };
     for (seed, (pattern, place, splats)) in (0..).zip(RUNS) {
         let random = &mut Rng::with_seed(seed);
         let frames = [splats, splats / 4].map(|splats| about(place, config, splats, LENS, random)).into();
         let paces = Paces::alike(streams(config), pattern, random);
-        recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
+        runs.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
     for seed in 0..MIXED_RUNS {
         let random = &mut Rng::with_seed(seed);
         let frames = [(); 2].map(|()| around(config, MIXED_SPLATS, LENS, random)).into();
         let paces = Paces::alike(streams(config), Stall::Varied, random);
-        recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
+        runs.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
     for stream in HELD {
-        recorder.hold(stream);
+        runs.hold(stream);
     }
     let small = if config.heap_capacity() <= SMALL_HEAP { HEAP_RUNS } else { 1 };
-    (0..small).for_each(|seed| recorder.fill_the_heap(seed));
-    recorder.recording
+    (0..small).for_each(|seed| runs.fill_the_heap(seed));
+    runs.recorder.into_recording()
 }
 
 /// The golden model, run after run.
-struct Recorder<'a> {
+struct Runs<'a> {
     config: &'a Config,
-    golden: Ported<Top>,
-    inputs: Vec<u64>,
-    outputs: Vec<u64>,
-    recording: Recording,
+    recorder: Recorder<Top>,
 }
 
-impl<'a> Recorder<'a> {
-    fn new(config: &'a Config, core: &SplatCore) -> Self {
-        let list = units::top::UNIT.ports(config);
-        let (inputs, outputs) = count(&list);
-        let golden = Ported::new(config, Top::new(config, &core.latencies()));
-        let (inputs, outputs) = (vec![0; inputs], vec![0; outputs]);
-        Self { config, golden, inputs, outputs, recording: Recording::new(list) }
-    }
-
-    fn step(&mut self) {
-        self.golden.step(&self.inputs, &mut self.outputs);
-        self.recording.push(&self.inputs, &self.outputs);
-    }
-
+impl Runs<'_> {
     /// A run from its reset on, for so many cycles at most.
     fn run(&mut self, script: Script, cycles: u64) {
-        self.inputs.fill(0);
-        for cycle in 0..RESET_CYCLES + self.config.buffer_tiles() as u64 + SETTLING_CYCLES {
-            // The reset comes first.
-            self.inputs[0] = u64::from(cycle < RESET_CYCLES);
-            self.step();
-        }
+        (0..RESET_CYCLES).for_each(|_| self.recorder.reset());
+        (0..self.config.buffer_tiles() as u64 + SETTLING_CYCLES).for_each(|_| self.recorder.clock());
         let mut host = Renderer::new(self.config, script, None, QUIET_CYCLES);
         for cycle in 0..cycles {
-            if host.drive(cycle, &self.outputs, &mut self.inputs) == Flow::Done {
+            if self.recorder.drive(cycle, &mut host) == Flow::Done {
                 break;
             }
-            self.step();
         }
     }
 
