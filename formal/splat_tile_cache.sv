@@ -237,21 +237,22 @@ module proof (input clk);
     // Tiles leave and come back soon, and few ways lead there: copies of three tiles come in turn, each with a sample when its slot is
     // ready, and frames follow each other. Samples have the banks in every second cycle; little else waits.
     (* anyseq *) reg samples_stay;
+    (* anyconst *) reg [31:0] ends;
     (* anyconst *) reg [2:0] late;
     (* anyconst *) reg first_go, keeps_second;
     reg samples_go;
     reg [1:0] next_tile;
     wire [1:0] arrives_next;
-    reg [2:0] arrived = 0;
+    reg [4:0] arrived = 0;
     always @(posedge clk) begin
         samples_go <= rst ? first_go : !samples_go;
-        if (arrives_valid) arrived <= arrived + !(&arrived);
+        if (arrives_valid) arrived <= arrived + 1;
     end
     wire [1:0] done = {slot_ready[1] && under_way[1] != 0 && !keeps_second, slot_ready[0] && under_way[0] != 0};
     wire [COPIES-1:0] waiting = may_come & ~is_late;
     assign arrives_late = arrived == late && !(&late);
     always @* if (!rst) begin
-        assume (arrives_valid == !(full || was_arrival || &kept) && arrives_tile == arrives_next);
+        assume (arrives_valid == !(full || was_arrival || &kept) && arrives_tile == arrives_next && arrives_end == ends[arrived]);
         assume (in_valid == (waiting != 0) && (waiting & ((1 << turn) - 1)) == 0 && (!in_valid || waiting[turn]));
         assume (out_ready && read_ready == (owed != 3) && pixel_ready && data_valid == (owed != 0));
         assume (sample_reads == {2{samples_go || samples_stay}} && sample_writes == {2{samples_go}});
