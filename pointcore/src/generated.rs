@@ -40,7 +40,7 @@ impl Configuration {
 /// # Errors
 /// The tools are missing or fail.
 pub fn verilate(design: &Design, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
-    Builder::new()?.build(&VerilogSource::from(design), BuildOptions { optimization: Optimization::Full, trace })
+    Builder::new()?.build(&VerilogSource::from(design), BuildOptions { optimization: Optimization::OF_CORES, trace })
 }
 
 /// Hears of a run: the cycles so far, and the share of the work that has been sent.

@@ -103,7 +103,7 @@ impl Case {
     /// # Errors
     /// It could not be generated, compiled or loaded.
     pub fn device(&self, builder: &Arc<Builder>) -> Result<Device, LabError> {
-        let options = BuildOptions { optimization: Optimization::Full, trace: Trace::Off };
+        let options = BuildOptions { optimization: Optimization::OF_CORES, trace: Trace::Off };
         Device::build(&self.configuration(), builder, options)
     }
 

@@ -56,6 +56,11 @@ pub enum Optimization {
     Full,
 }
 
+impl Optimization {
+    /// That of whole cores. A program that is built for development runs them no longer than tests do.
+    pub const OF_CORES: Self = if cfg!(debug_assertions) { Self::Quick } else { Self::Full };
+}
+
 /// Whether a model can write waveforms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Trace {
