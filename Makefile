@@ -100,7 +100,6 @@ python: setup ## Build the Python wheel and test it in a fresh environment; PROF
 
 check: ## Formatting, clippy and documentation without warnings
 	cargo fmt --all --check
-	cargo fmt --manifest-path bindings/python/Cargo.toml --check
 	cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 
