@@ -149,13 +149,15 @@ fn beside_points(frame: &Frame, seen: &[Seen], expected: Expected) -> Result<usi
         .map(|index| [index % WIDTH, index / WIDTH])
         .filter(|[column, row]| frame.is_covered(*column, *row))
         .collect();
-    let distance = |[column, row]: &[usize; 2]| {
-        let distance = |seen: &Seen| (seen.place[0] - *column as f64 - 0.5).hypot(seen.place[1] - *row as f64 - 0.5);
-        seen.iter().map(distance).fold(f64::INFINITY, f64::min)
+    let [reach_px, reach_squared] = [expected.reach_px, expected.reach_px.powi(2)];
+    let is_far = |[column, row]: &&[usize; 2]| {
+        let center = [*column as f64 + 0.5, *row as f64 + 0.5];
+        let is_near =
+            |Seen { place: [x, y], .. }: &Seen| (x - center[0]).powi(2) + (y - center[1]).powi(2) <= reach_squared;
+        !seen.iter().any(is_near)
     };
-    let farthest = pixels.iter().map(distance).fold(0.0, f64::max);
-    if farthest > expected.reach_px {
-        return Err(format!("a pixel {farthest:.1} px from every point is covered"));
+    if let Some(pixel) = pixels.iter().find(is_far) {
+        return Err(format!("pixel {pixel:?} is covered, more than {reach_px} px from every point"));
     }
     let extent = |axis: usize, size: usize| {
         let places = || pixels.iter().map(|pixel| pixel[axis]);
