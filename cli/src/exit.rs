@@ -98,7 +98,9 @@ const fn lab(error: &LabError) -> u8 {
         LabError::Search(error) => search(error),
         LabError::Synthesis(SynthesisError::TooLarge { .. }) => INPUT,
         LabError::Mutation(MutationError::Baseline { .. }) => DISAGREEMENT,
-        LabError::Mutation(MutationError::Unknown { .. } | MutationError::Configuration(_)) => INPUT,
+        LabError::Mutation(
+            MutationError::Unknown { .. } | MutationError::NotRecorded { .. } | MutationError::Configuration(_),
+        ) => INPUT,
         LabError::Generate(_) | LabError::Synthesis(_) | LabError::Mutation(_) => TOOL,
         LabError::Scene(_)
         | LabError::Plan(_)

@@ -34,8 +34,11 @@ pub struct Arguments {
     /// Merge the record's figures into this file, as `mutation.UNIT.FIGURE`.
     #[arg(long, value_name = "FILE", requires = "record")]
     merge: Option<PathBuf>,
+    /// Try only what the record says was missed, as with more time for proofs or after a change of the tests.
+    #[arg(long, requires = "record")]
+    again: bool,
     /// Try nothing: write --tables and --merge from the record.
-    #[arg(long, requires = "record", conflicts_with = "subjects")]
+    #[arg(long, requires = "record", conflicts_with_all = ["subjects", "again"])]
     recorded: bool,
 }
 
@@ -51,6 +54,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if let Some(path) = &arguments.merge {
         existing(path)?;
     }
+    let again = arguments.again.then(|| record.clone());
     let mut scores = Vec::new();
     if !arguments.recorded {
         let keep = |score: Score| {
@@ -60,7 +64,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
             record.insert(score);
             arguments.record.as_ref().map_or(Ok(()), |path| write(path, &record.text()))
         };
-        try_all(arguments, keep)?;
+        try_all(arguments, again, keep)?;
     }
     if let Some(path) = &arguments.merge {
         merge(path, record.figures())?;
@@ -79,7 +83,11 @@ fn line(score: &Score) -> String {
     format!("{name}: {found} of {mutants} mutants found, {equivalent} change nothing, {missed} missed ({percent:.1} %)")
 }
 
-fn try_all(arguments: &Arguments, mut keep: impl FnMut(Score) -> Result<(), Failure>) -> Result<(), Failure> {
+fn try_all(
+    arguments: &Arguments,
+    again: Option<MutationRecord>,
+    mut keep: impl FnMut(Score) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let campaign = Campaign::new(Settings {
         mutants: arguments.mutants,
@@ -87,6 +95,7 @@ fn try_all(arguments: &Arguments, mut keep: impl FnMut(Score) -> Result<(), Fail
         jobs: arguments.jobs.unwrap_or(processors),
         proof_seconds: arguments.proof_seconds,
     })?;
+    let campaign = again.map_or(campaign.clone(), |record| campaign.again(record));
     let is_folder = |subject: &String| Path::new(subject).is_dir() || subject.contains(std::path::is_separator);
     let (packages, mut units): (Vec<_>, Vec<_>) = arguments.subjects.iter().cloned().partition(is_folder);
     for package in packages {

@@ -3,6 +3,7 @@
 use super::MutationError;
 use super::equivalence::{self, Proof};
 use super::process::Verdict;
+use super::record::MutationRecord;
 use super::schemata::Schemata;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::{file, key};
@@ -53,6 +54,11 @@ pub struct Score {
 }
 
 impl Score {
+    /// Whether a mutant is one of those that were missed.
+    pub(super) fn misses(&self, mutant: &str) -> bool {
+        self.missed.iter().any(|missed| missed.rsplit_once(" (").is_some_and(|(name, _)| name == mutant))
+    }
+
     /// Found, of those that change something, in percent.
     #[must_use]
     pub fn percent(&self) -> f64 {
@@ -101,11 +107,20 @@ struct Mutant<'a> {
     mutation: String,
 }
 
+impl Mutant<'_> {
+    /// What a record calls it.
+    fn name(&self) -> String {
+        format!("{}: {}", self.subject.top, self.mutation)
+    }
+}
+
 /// The tools, and how they are used.
 #[derive(Clone, Debug)]
 pub struct Campaign {
     yosys: Tool,
     settings: Settings,
+    /// Only what these scores say was missed is tried.
+    again: Option<MutationRecord>,
 }
 
 impl Campaign {
@@ -114,7 +129,13 @@ impl Campaign {
     /// # Errors
     /// There is none, or none that is new enough.
     pub fn new(settings: Settings) -> Result<Self, MutationError> {
-        Ok(Self { yosys: Tool::yosys()?, settings })
+        Ok(Self { yosys: Tool::yosys()?, settings, again: None })
+    }
+
+    /// Tries again what a record says was missed, as with more time for proofs or after a change of the tests.
+    #[must_use]
+    pub fn again(self, record: MutationRecord) -> Self {
+        Self { again: Some(record), ..self }
     }
 
     /// Tries mutants of `subjects` by `run`, which is given tests, a number and a limit.
@@ -127,6 +148,8 @@ impl Campaign {
         progress: &(dyn Fn(Event) + Sync),
     ) -> Result<Score, MutationError> {
         let mutants = self.mutants(subjects, folder)?;
+        let source = key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned();
+        let (before, mutants) = self.asked(name, source, mutants)?;
         progress(Event::Listed(mutants.len()));
         let mut tests: Vec<_> = subjects.iter().flat_map(|subject| subject.tests.clone()).collect();
         tests.sort();
@@ -162,17 +185,32 @@ impl Campaign {
         };
         let proofs: Result<Vec<Proof>, MutationError> = pool.install(|| missed.par_iter().map(judge).collect());
         let proofs = proofs?;
-        let describe =
-            |mutant: &Mutant<'_>, proof: &Proof| format!("{}: {} ({proof})", mutant.subject.top, mutant.mutation);
         let left = missed.iter().zip(&proofs).filter(|(_, proof)| **proof != Proof::Equivalent);
         Ok(Score {
-            name: name.to_owned(),
-            mutants: mutants.len(),
-            found: found.iter().filter(|found| **found).count(),
-            equivalent: proofs.iter().filter(|proof| **proof == Proof::Equivalent).count(),
-            missed: left.map(|(mutant, proof)| describe(mutant, proof)).collect(),
-            source: key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned(),
+            found: before.found + found.iter().filter(|found| **found).count(),
+            equivalent: before.equivalent + proofs.iter().filter(|proof| **proof == Proof::Equivalent).count(),
+            missed: left.map(|(mutant, proof)| format!("{} ({proof})", mutant.name())).collect(),
+            ..before
         })
+    }
+
+    /// The mutants that are to be tried, and the score of those that need not be.
+    fn asked<'a>(
+        &self,
+        name: &str,
+        source: String,
+        mut mutants: Vec<Mutant<'a>>,
+    ) -> Result<(Score, Vec<Mutant<'a>>), MutationError> {
+        let none =
+            Score { name: name.to_owned(), mutants: mutants.len(), found: 0, equivalent: 0, missed: vec![], source };
+        let Some(record) = &self.again else { return Ok((none, mutants)) };
+        let of_these = |score: &&Score| score.source == none.source && score.mutants == none.mutants;
+        let before = record.score(name).filter(of_these);
+        mutants.retain(|mutant| before.is_some_and(|score| score.misses(&mutant.name())));
+        match before {
+            Some(before) if mutants.len() == before.missed.len() => Ok((before.clone(), mutants)),
+            _ => Err(MutationError::NotRecorded { name: none.name }),
+        }
     }
 
     /// Mutants of all subjects, in their substitutes: each has its share.

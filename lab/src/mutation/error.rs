@@ -36,6 +36,14 @@ pub enum MutationError {
         /// The names there are.
         known: String,
     },
+    /// The record has no score of these mutants.
+    #[error(
+        "the record has no score of these mutants of {name}: expected one of the same Verilog, `--mutants` and `--seed`"
+    )]
+    NotRecorded {
+        /// The unit or configuration.
+        name: String,
+    },
     /// A test that fails without a mutant tells nothing.
     #[error("{name}: the test fails on the Verilog as it is:\n{output}")]
     Baseline {

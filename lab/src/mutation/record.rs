@@ -37,6 +37,12 @@ impl MutationRecord {
         }
     }
 
+    /// The score of a unit or package.
+    #[must_use]
+    pub fn score(&self, name: &str) -> Option<&Score> {
+        self.scores.iter().find(|score| score.name == name)
+    }
+
     /// The file's text.
     #[must_use]
     pub fn text(&self) -> String {
@@ -109,6 +115,11 @@ mod tests {
             record.insert(score(name, found));
         }
         assert_eq!(serde_json::from_str::<MutationRecord>(&record.text()).ok(), Some(record.clone()));
+        let misses = |name: &str, mutant: &str| record.score(name).is_some_and(|score| score.misses(mutant));
+        assert!(misses("search_sieve", "search_sieve: mutate -mode inv"));
+        assert!(
+            !misses("stream_skid", "search_sieve: mutate -mode inv") && !misses("search_sieve", "search_sieve: mutate")
+        );
         let figures = record.figures();
         assert_eq!(figures["mutation.stream_skid.found"], 9);
         assert_eq!(figures["mutation.selftest.tiny_knn.score"], 100.0 * 6.0 / 9.0);
