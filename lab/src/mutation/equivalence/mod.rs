@@ -68,6 +68,24 @@ pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> R
     prover.judge(module, argument("-cell"))
 }
 
+/// How a module is compared with its mutant.
+#[derive(Clone, Copy)]
+enum Way<'a> {
+    /// At its border, if that is known.
+    At(Option<&'a Border>),
+    /// At the registers near the mutated cell: these and those that have a reset are registers in both, all others inputs,
+    /// equal in both, and what they take next is compared. That is small in a module of any size. It shows that what
+    /// holds is as it was when it is looked at. A reset comes first and not again, for it may come at any such time;
+    /// nothing depends on what registers hold then, as tests say that begin with random values.
+    Around(&'a str),
+}
+
+/// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
+const NEAR: usize = 3;
+
+/// Compares all outputs in every cycle.
+const MITER: &str = "miter -equiv -flatten gold gate miter\n";
+
 /// What proofs about one mutant share.
 struct Prover<'a> {
     yosys: &'a Tool,
@@ -110,6 +128,11 @@ impl Prover<'_> {
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let mut proof = self.compare(module, &open)?;
+        if let (false, Some(cell)) = (proof == Proof::Equivalent, cell)
+            && self.compare_as(module, &open, Way::Around(cell))? == Proof::Equivalent
+        {
+            return Ok(Proof::Equivalent);
+        }
         let is_large = modules.bytes(&within) > LARGEST_BYTES;
         if proof != Proof::Equivalent && open != whole && !is_large {
             proof = self.compare(module, &whole)?;
@@ -155,17 +178,17 @@ impl Prover<'_> {
     /// same at all times; where they are not, it may be that their answers do not count.
     fn compare(&self, module: &str, open: &BTreeSet<&str>) -> Result<Proof, MutationError> {
         let border = self.border(plain(module), open);
-        let strictly = self.compare_at(module, open, border.as_ref().map(Border::without_operators).as_ref())?;
+        let strict = border.as_ref().map(Border::without_operators);
+        let strictly = self.compare_as(module, open, Way::At(strict.as_ref()))?;
         match border {
             Some(border) if strictly != Proof::Equivalent && border.has_operators() => {
-                self.compare_at(module, open, Some(&border))
+                self.compare_as(module, open, Way::At(Some(&border)))
             }
             _ => Ok(strictly),
         }
     }
 
-    /// Compares them at a border, if it is known.
-    fn compare_at(&self, module: &str, open: &BTreeSet<&str>, border: Option<&Border>) -> Result<Proof, MutationError> {
+    fn compare_as(&self, module: &str, open: &BTreeSet<&str>, way: Way<'_>) -> Result<Proof, MutationError> {
         let Self { yosys, subject, mutation, seconds, .. } = *self;
         let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
         let folder = scratch.path();
@@ -190,14 +213,28 @@ impl Prover<'_> {
             format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
         };
         let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
-        let miter = match border {
-            Some(_) => format!(
+        let miter = match way {
+            Way::At(Some(_)) => format!(
                 "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
                 side_by_side::MODULE
             ),
-            None => "miter -equiv -flatten gold gate miter\n".to_owned(),
+            Way::At(None) => MITER.to_owned(),
+            // Registers that have a reset tell the time: phases, pointers, counts.
+            Way::Around(cell) => format!(
+                "select -set control gold/i:rst %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
+                 select -set near gate/c:{cell}{}\n\
+                 expose -cut -dff -shared */w:* @control %d @near %d\n{MITER}",
+                " %co*:-$dff %co2:+$dff[D,Q]".repeat(NEAR)
+            ),
         };
-        let comparison = border.map_or_else(String::new, Border::side_by_side);
+        let comparison = match way {
+            Way::At(Some(border)) => border.side_by_side(),
+            _ => String::new(),
+        };
+        let mut assumed = assuming_assertions(&subject.verilog);
+        if matches!(way, Way::Around(_)) {
+            assumed = with_one_reset(&assumed, plain(module));
+        }
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
         let script = format!(
@@ -209,7 +246,7 @@ impl Prover<'_> {
         );
         let files = [
             ("source.v", subject.verilog.as_str()),
-            ("assuming.v", &assuming_assertions(&subject.verilog)),
+            ("assuming.v", &assumed),
             ("library.v", &subject.others),
             ("comparison.v", comparison.as_str()),
             ("miter.ys", &script),
@@ -230,11 +267,18 @@ impl Prover<'_> {
         };
         // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
         // is enough where a difference never gets into one; what is left is small.
-        let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
-        if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
-            return Ok(Proof::Different);
+        let mut sweep = "lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4";
+        match way {
+            Way::At(_) => {
+                let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
+                if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
+                    return Ok(Proof::Different);
+                }
+            }
+            // Registers that are not near follow from one look.
+            Way::Around(_) => sweep = "lcorr; scorr",
         }
-        Ok(match ask(&format!("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4; pdr -T {seconds}"), 2 * seconds)? {
+        Ok(match ask(&format!("{sweep}; pdr -T {seconds}"), 4 * seconds)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
             Verdict::Failed(text) if text.contains(REFUTED) => Proof::Different,
             // Without an answer it came to its end, to that of its time, or to that of the memory there is.
@@ -249,6 +293,19 @@ fn assuming_assertions(verilog: &str) -> String {
     let clocked = "always @(posedge clk) if (!rst) begin\n`ifdef FORMAL";
     let held = "always @* if (!rst) begin\n`ifdef FORMAL";
     verilog.replace(clocked, held).replace("_word <= ~words[", "_word <= words[")
+}
+
+/// The design with a reset in the first cycle of a module, and in no other.
+fn with_one_reset(verilog: &str, module: &str) -> String {
+    const ONE_RESET: &str = "reg began;\nalways @(posedge clk) began <= 1'd1;\nalways @* assume (rst == !began);\n";
+    let has_reset = |head: &str| head.split(|c: char| !c.is_alphanumeric()).any(|word| word == "rst");
+    let Some((before, found)) = verilog.split_once(&format!("module {module} ")) else { return verilog.to_owned() };
+    match (found.split_once(");"), found.split_once("endmodule")) {
+        (Some((head, _)), Some((body, after))) if has_reset(head) => {
+            format!("{before}module {module} {body}{ONE_RESET}endmodule{after}")
+        }
+        _ => verilog.to_owned(),
+    }
 }
 
 /// What ABC says of a property that holds, and of one that does not.

@@ -177,6 +177,34 @@ fn a_mutant_is_where_it_was_listed() {
 }
 
 #[test]
+fn what_a_register_holds_may_be_inverted_twice() {
+    let Some(yosys) = yosys() else { return };
+    // It holds for four cycles, and is looked at in one of them.
+    let looked_at = |phase: u32| {
+        let top = format!(
+            "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\n\
+             always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
+             always @(posedge clk) if (phase == 2'd0) kept <= x;\n\
+             always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
+        );
+        let subject = subject(&top, "", None, "top");
+        let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
+        let listed =
+            Schemata::new(&yosys, folder.path(), &subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
+        let is_inverted = |mutation: &&String| {
+            ["-mode inv", "-cell $procdff", "-port Q", "-wire kept"].iter().all(|part| mutation.contains(part))
+        };
+        let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
+        let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
+        let modules = Modules::of(&subject.verilog);
+        let prover = Prover { yosys: &yosys, subject: &subject, mutation, mutated: "top", seconds: 10, modules };
+        let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(cell));
+        proof.unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!([1, 2, 3].map(looked_at), [Proof::Different, Proof::Equivalent, Proof::Different]);
+}
+
+#[test]
 fn what_no_stream_offers_does_not_count_and_what_waits_is_held() {
     let unit = "module unit(input clk, input rst, input in_valid, input in_x, output in_ready, output out_valid,\n\
         output out_x, output broken);\n\
