@@ -180,7 +180,7 @@ fn a_mutant_is_where_it_was_listed() {
 fn what_a_register_holds_may_be_inverted_twice() {
     let Some(yosys) = yosys() else { return };
     // It holds for four cycles, and is looked at in one of them.
-    let looked_at = |phase: u32| {
+    let inverted = |wire: &str, phase: u32| {
         let top = format!(
             "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\n\
              always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
@@ -192,7 +192,9 @@ fn what_a_register_holds_may_be_inverted_twice() {
         let listed =
             Schemata::new(&yosys, folder.path(), &subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
         let is_inverted = |mutation: &&String| {
-            ["-mode inv", "-cell $procdff", "-port Q", "-wire kept"].iter().all(|part| mutation.contains(part))
+            ["-mode inv", "-cell $procdff", "-port Q", &format!("-wire {wire}")]
+                .iter()
+                .all(|part| mutation.contains(*part))
         };
         let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
         let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
@@ -201,7 +203,9 @@ fn what_a_register_holds_may_be_inverted_twice() {
         let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(cell));
         proof.unwrap_or_else(|error| panic!("{error}"))
     };
-    assert_eq!([1, 2, 3].map(looked_at), [Proof::Different, Proof::Equivalent, Proof::Different]);
+    assert_eq!([1, 2, 3].map(|phase| inverted("kept", phase)), [Proof::Different, Proof::Equivalent, Proof::Different]);
+    // What it is reset to would not be seen.
+    assert_eq!(inverted("phase", 2), Proof::Open);
 }
 
 #[test]
