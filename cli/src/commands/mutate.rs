@@ -95,7 +95,10 @@ fn try_all(
         jobs: arguments.jobs.unwrap_or(processors),
         proof_seconds: arguments.proof_seconds,
     })?;
-    let campaign = again.map_or(campaign.clone(), |record| campaign.again(record));
+    let campaign = match again {
+        Some(record) => campaign.again(record),
+        None => campaign,
+    };
     let is_folder = |subject: &String| Path::new(subject).is_dir() || subject.contains(std::path::is_separator);
     let (packages, mut units): (Vec<_>, Vec<_>) = arguments.subjects.iter().cloned().partition(is_folder);
     for package in packages {

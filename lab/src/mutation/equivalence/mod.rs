@@ -192,6 +192,7 @@ impl Prover<'_> {
         }
     }
 
+    /// Compares them in one way; of what yosys cannot prepare nothing is claimed.
     fn compare_as(&self, module: &str, open: &BTreeSet<&str>, way: Way<'_>) -> Result<Proof, MutationError> {
         let Self { yosys, subject, mutation, seconds, .. } = *self;
         let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
@@ -223,10 +224,11 @@ impl Prover<'_> {
                 side_by_side::MODULE
             ),
             Way::At(None) => MITER.to_owned(),
-            // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked here.
+            // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked here, so the
+            // cell must be there, and not be before one.
             Way::Around(cell) => format!(
                 "select -set control */i:rst %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
-                 select -assert-none gate/c:{cell}{NEXT} @control %i\n\
+                 select -assert-any gate/c:{cell}\nselect -assert-none gate/c:{cell}{NEXT} @control %i\n\
                  select -set near gate/c:{cell}{}\n\
                  expose -cut -dff -shared */w:* @control %d @near %d\n{MITER}",
                 NEXT.repeat(NEAR)
@@ -274,18 +276,18 @@ impl Prover<'_> {
         };
         // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
         // is enough where a difference never gets into one; what is left is small.
-        let mut sweep = "lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4";
-        match way {
+        let (sweep, patience) = match way {
             Way::At(_) => {
                 let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
                 if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
                     return Ok(Proof::Different);
                 }
+                ("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4", 2 * seconds)
             }
-            // Registers that are not near follow from one look.
-            Way::Around(_) => sweep = "lcorr; scorr",
-        }
-        Ok(match ask(&format!("{sweep}; pdr -T {seconds}"), 4 * seconds)? {
+            // Registers that are not near follow from one look, but there are many.
+            Way::Around(_) => ("lcorr; scorr", 4 * seconds),
+        };
+        Ok(match ask(&format!("{sweep}; pdr -T {seconds}"), patience)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
             Verdict::Failed(text) if text.contains(REFUTED) => Proof::Different,
             // Without an answer it came to its end, to that of its time, or to that of the memory there is.
@@ -304,7 +306,8 @@ fn assuming_assertions(verilog: &str) -> String {
 
 /// The design with a reset in the first cycle of a module, and in no other.
 fn with_one_reset(verilog: &str, module: &str) -> String {
-    const ONE_RESET: &str = "reg began;\nalways @(posedge clk) began <= 1'd1;\nalways @* assume (rst == !began);\n";
+    const ONE_RESET: &str =
+        "reg was_reset;\nalways @(posedge clk) was_reset <= 1'd1;\nalways @* assume (rst == !was_reset);\n";
     let has_reset = |head: &str| head.split(|c: char| !c.is_alphanumeric()).any(|word| word == "rst");
     let Some((before, found)) = verilog.split_once(&format!("module {module} ")) else { return verilog.to_owned() };
     match (found.split_once(");"), found.split_once("endmodule")) {
