@@ -7,10 +7,11 @@
 // then the words of those that do.
 
 module splat_test;
-    wire [1:0] passed;
+    wire [2:0] passed;
 
     splat_top_replay replay_0 (.passed(passed[0]));
     splat_setup_replay replay_1 (.passed(passed[1]));
+    splat_operators_replay replay_2 (.passed(passed[2]));
 
     initial begin
         wait (&passed);
@@ -341,4 +342,184 @@ module splat_setup_replay(output reg passed = 1'b0);
         $display("splat_setup: 47087 cycles, 1225 items, every output as the model's");
         passed = 1'b1;
     end
+endmodule
+
+// 1143 cycles of splat_operators, which 1118 items leave.
+module splat_operators_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:7791];
+    reg [504:0] vector = 0;
+    reg [504:0] next = 0;
+    wire [504:0] found;
+    reg changes;
+    reg [2:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    splat_operators replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .enable(vector[1]),
+        .a(vector[25:2]),
+        .b(vector[49:26]),
+        .c(vector[73:50]),
+        .results_valid(found[74]),
+        .results_mul_0(found[98:75]),
+        .results_add_1(found[122:99]),
+        .results_lt_2(found[123]),
+        .results_max_3(found[147:124]),
+        .results_recip_4(found[171:148]),
+        .results_mul_5(found[195:172]),
+        .results_sqrt_6(found[219:196]),
+        .results_le_7(found[220]),
+        .results_min_8(found[244:221]),
+        .results_to_fixed_u21q8_9(found[265:245]),
+        .results_to_fixed_u23q8_10(found[288:266]),
+        .results_to_fixed_s22q8_11(found[310:289]),
+        .results_to_fixed_s27q13_12(found[337:311]),
+        .results_to_fixed_s17q16_13(found[354:338]),
+        .results_to_fixed_s21q20_14(found[375:355]),
+        .results_to_fixed_u20q19_15(found[395:376]),
+        .results_to_fixed_u24q24_16(found[419:396]),
+        .results_from_fixed_u28q16_17(found[443:420]),
+        .results_from_fixed_u52q40_18(found[467:444]),
+        .results_from_fixed_s40q27_19(found[491:468]),
+        .results_to_fixed_s13q12_20(found[504:492])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 2; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(74, 1); end
+            if (changed[1]) begin take(2, 24); take(26, 24); take(50, 24); end
+            if (changed[2]) begin take(75, 24); take(99, 24); take(123, 1); take(124, 24); take(148, 24); take(172, 24); take(196, 24); take(220, 1); take(221, 24); take(245, 21); take(266, 23); take(289, 22); take(311, 27); take(338, 17); take(355, 21); take(376, 20); take(396, 24); take(420, 24); take(444, 24); take(468, 24); take(492, 13); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("splat_operators, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("splat_operators_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 1143 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[74] !== vector[74]) differ("results_valid");
+            if (vector[74] && found[98:75] !== vector[98:75]) differ("results_mul_0");
+            if (vector[74] && found[122:99] !== vector[122:99]) differ("results_add_1");
+            if (vector[74] && found[123] !== vector[123]) differ("results_lt_2");
+            if (vector[74] && found[147:124] !== vector[147:124]) differ("results_max_3");
+            if (vector[74] && found[171:148] !== vector[171:148]) differ("results_recip_4");
+            if (vector[74] && found[195:172] !== vector[195:172]) differ("results_mul_5");
+            if (vector[74] && found[219:196] !== vector[219:196]) differ("results_sqrt_6");
+            if (vector[74] && found[220] !== vector[220]) differ("results_le_7");
+            if (vector[74] && found[244:221] !== vector[244:221]) differ("results_min_8");
+            if (vector[74] && found[265:245] !== vector[265:245]) differ("results_to_fixed_u21q8_9");
+            if (vector[74] && found[288:266] !== vector[288:266]) differ("results_to_fixed_u23q8_10");
+            if (vector[74] && found[310:289] !== vector[310:289]) differ("results_to_fixed_s22q8_11");
+            if (vector[74] && found[337:311] !== vector[337:311]) differ("results_to_fixed_s27q13_12");
+            if (vector[74] && found[354:338] !== vector[354:338]) differ("results_to_fixed_s17q16_13");
+            if (vector[74] && found[375:355] !== vector[375:355]) differ("results_to_fixed_s21q20_14");
+            if (vector[74] && found[395:376] !== vector[395:376]) differ("results_to_fixed_u20q19_15");
+            if (vector[74] && found[419:396] !== vector[419:396]) differ("results_to_fixed_u24q24_16");
+            if (vector[74] && found[443:420] !== vector[443:420]) differ("results_from_fixed_u28q16_17");
+            if (vector[74] && found[467:444] !== vector[467:444]) differ("results_from_fixed_u52q40_18");
+            if (vector[74] && found[491:468] !== vector[491:468]) differ("results_from_fixed_s40q27_19");
+            if (vector[74] && found[504:492] !== vector[504:492]) differ("results_to_fixed_s13q12_20");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("splat_operators: 1143 cycles, 1118 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// The floating-point operators of a core side by side.
+module splat_operators (
+    input  wire clk, input wire rst, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    input  wire [23:0] c,
+    output wire results_valid, output wire [23:0] results_mul_0, output wire [23:0] results_add_1,
+    output wire results_lt_2, output wire [23:0] results_max_3, output wire [23:0] results_recip_4,
+    output wire [23:0] results_mul_5, output wire [23:0] results_sqrt_6, output wire results_le_7,
+    output wire [23:0] results_min_8, output wire [20:0] results_to_fixed_u21q8_9,
+    output wire [22:0] results_to_fixed_u23q8_10, output wire [21:0] results_to_fixed_s22q8_11,
+    output wire [26:0] results_to_fixed_s27q13_12, output wire [16:0] results_to_fixed_s17q16_13,
+    output wire [20:0] results_to_fixed_s21q20_14, output wire [19:0] results_to_fixed_u20q19_15,
+    output wire [23:0] results_to_fixed_u24q24_16, output wire [23:0] results_from_fixed_u28q16_17,
+    output wire [23:0] results_from_fixed_u52q40_18, output wire [23:0] results_from_fixed_s40q27_19,
+    output wire [12:0] results_to_fixed_s13q12_20
+);
+    reg [4:0] taken;
+
+    wire valid = taken == 5'd20;
+
+    assign results_valid = valid;
+
+    float_mul_s4_f24ftz mul_0 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_0));
+    float_add_s6_f24ftz add_1 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_add_1));
+    float_lt_s2_f24ftz lt_2 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_lt_2));
+    float_max_s2_f24ftz max_3 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_max_3));
+    float_recip_s20_f24ftz recip_4 (.clk(clk), .enable(enable), .a(a), .y(results_recip_4));
+    float_mul_s5_f24ftz mul_5 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_5));
+    float_sqrt_s18_f24ftz sqrt_6 (.clk(clk), .enable(enable), .a(a), .y(results_sqrt_6));
+    float_le_s2_f24ftz le_7 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_le_7));
+    float_min_s2_f24ftz min_8 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_min_8));
+    float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_u21q8_9 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u21q8_9));
+    float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_u23q8_10 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u23q8_10));
+    float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_s22q8_11 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s22q8_11));
+    float_to_fixed_s3_f24ftz_w27_f13_signed to_fixed_s27q13_12 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s27q13_12));
+    float_to_fixed_s3_f24ftz_w17_f16_signed to_fixed_s17q16_13 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s17q16_13));
+    float_to_fixed_s3_f24ftz_w21_f20_signed to_fixed_s21q20_14 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s21q20_14));
+    float_to_fixed_s3_f24ftz_w20_f19_unsigned to_fixed_u20q19_15 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u20q19_15));
+    float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_u24q24_16 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u24q24_16));
+
+    float_from_fixed_s3_f24ftz_w28_f16_unsigned from_fixed_u28q16_17 (
+        .clk(clk), .enable(enable), .a({b[3:0], a}), .y(results_from_fixed_u28q16_17)
+    );
+
+    float_from_fixed_s3_f24ftz_w52_f40_unsigned from_fixed_u52q40_18 (
+        .clk(clk), .enable(enable), .a({c[3:0], b, a}), .y(results_from_fixed_u52q40_18)
+    );
+
+    float_from_fixed_s4_f24ftz_w40_f27_signed from_fixed_s40q27_19 (
+        .clk(clk), .enable(enable), .a({b[15:0], a}), .y(results_from_fixed_s40q27_19)
+    );
+
+    float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_s13q12_20 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s13q12_20));
+
+    always @(posedge clk) begin
+        if (rst) taken <= 5'd0;
+        else taken <= (enable & ~valid) ? (taken + 5'd1) : taken;
+    end
+
+    wire _unused = &{1'b0, c[23:4]};
 endmodule

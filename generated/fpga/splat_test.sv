@@ -7,10 +7,11 @@
 // then the words of those that do.
 
 module splat_test;
-    wire [1:0] passed;
+    wire [2:0] passed;
 
     splat_top_replay replay_0 (.passed(passed[0]));
     splat_setup_replay replay_1 (.passed(passed[1]));
+    splat_operators_replay replay_2 (.passed(passed[2]));
 
     initial begin
         wait (&passed);
@@ -441,4 +442,192 @@ module splat_setup_replay(output reg passed = 1'b0);
         $display("splat_setup: 33389 cycles, 1129 items, every output as the model's");
         passed = 1'b1;
     end
+endmodule
+
+// 2292 cycles of splat_operators, which 2258 items leave.
+module splat_operators_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:20296];
+    reg [654:0] vector = 0;
+    reg [654:0] next = 0;
+    wire [654:0] found;
+    reg changes;
+    reg [2:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    splat_operators replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .enable(vector[1]),
+        .a(vector[33:2]),
+        .b(vector[65:34]),
+        .c(vector[97:66]),
+        .results_valid(found[98]),
+        .results_mul_0(found[130:99]),
+        .results_add_1(found[162:131]),
+        .results_lt_2(found[163]),
+        .results_max_3(found[195:164]),
+        .results_recip_4(found[227:196]),
+        .results_mul_5(found[259:228]),
+        .results_sqrt_6(found[291:260]),
+        .results_le_7(found[292]),
+        .results_min_8(found[324:293]),
+        .results_to_fixed_u21q8_9(found[345:325]),
+        .results_to_fixed_u23q8_10(found[368:346]),
+        .results_to_fixed_s22q8_11(found[390:369]),
+        .results_to_fixed_u24q24_12(found[414:391]),
+        .results_from_fixed_u10q1_13(found[446:415]),
+        .results_div_14(found[478:447]),
+        .results_to_fixed_u16q16_15(found[494:479]),
+        .results_from_fixed_u16q16_16(found[510:495]),
+        .results_mul_17(found[526:511]),
+        .results_add_18(found[542:527]),
+        .results_from_fixed_u28q16_19(found[574:543]),
+        .results_from_fixed_u52q40_20(found[606:575]),
+        .results_convert_f32_ftz_21(found[638:607]),
+        .results_convert_f16_22(found[654:639])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 2; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(98, 1); end
+            if (changed[1]) begin take(2, 32); take(34, 32); take(66, 32); end
+            if (changed[2]) begin take(99, 32); take(131, 32); take(163, 1); take(164, 32); take(196, 32); take(228, 32); take(260, 32); take(292, 1); take(293, 32); take(325, 21); take(346, 23); take(369, 22); take(391, 24); take(415, 32); take(447, 32); take(479, 16); take(495, 16); take(511, 16); take(527, 16); take(543, 32); take(575, 32); take(607, 32); take(639, 16); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("splat_operators, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("splat_operators_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 2292 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[98] !== vector[98]) differ("results_valid");
+            if (vector[98] && found[130:99] !== vector[130:99]) differ("results_mul_0");
+            if (vector[98] && found[162:131] !== vector[162:131]) differ("results_add_1");
+            if (vector[98] && found[163] !== vector[163]) differ("results_lt_2");
+            if (vector[98] && found[195:164] !== vector[195:164]) differ("results_max_3");
+            if (vector[98] && found[227:196] !== vector[227:196]) differ("results_recip_4");
+            if (vector[98] && found[259:228] !== vector[259:228]) differ("results_mul_5");
+            if (vector[98] && found[291:260] !== vector[291:260]) differ("results_sqrt_6");
+            if (vector[98] && found[292] !== vector[292]) differ("results_le_7");
+            if (vector[98] && found[324:293] !== vector[324:293]) differ("results_min_8");
+            if (vector[98] && found[345:325] !== vector[345:325]) differ("results_to_fixed_u21q8_9");
+            if (vector[98] && found[368:346] !== vector[368:346]) differ("results_to_fixed_u23q8_10");
+            if (vector[98] && found[390:369] !== vector[390:369]) differ("results_to_fixed_s22q8_11");
+            if (vector[98] && found[414:391] !== vector[414:391]) differ("results_to_fixed_u24q24_12");
+            if (vector[98] && found[446:415] !== vector[446:415]) differ("results_from_fixed_u10q1_13");
+            if (vector[98] && found[478:447] !== vector[478:447]) differ("results_div_14");
+            if (vector[98] && found[494:479] !== vector[494:479]) differ("results_to_fixed_u16q16_15");
+            if (vector[98] && found[510:495] !== vector[510:495]) differ("results_from_fixed_u16q16_16");
+            if (vector[98] && found[526:511] !== vector[526:511]) differ("results_mul_17");
+            if (vector[98] && found[542:527] !== vector[542:527]) differ("results_add_18");
+            if (vector[98] && found[574:543] !== vector[574:543]) differ("results_from_fixed_u28q16_19");
+            if (vector[98] && found[606:575] !== vector[606:575]) differ("results_from_fixed_u52q40_20");
+            if (vector[98] && found[638:607] !== vector[638:607]) differ("results_convert_f32_ftz_21");
+            if (vector[98] && found[654:639] !== vector[654:639]) differ("results_convert_f16_22");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("splat_operators: 2292 cycles, 2258 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// The floating-point operators of a core side by side.
+module splat_operators (
+    input  wire clk, input wire rst, input wire enable, input wire [31:0] a, input wire [31:0] b,
+    input  wire [31:0] c,
+    output wire results_valid, output wire [31:0] results_mul_0, output wire [31:0] results_add_1,
+    output wire results_lt_2, output wire [31:0] results_max_3, output wire [31:0] results_recip_4,
+    output wire [31:0] results_mul_5, output wire [31:0] results_sqrt_6, output wire results_le_7,
+    output wire [31:0] results_min_8, output wire [20:0] results_to_fixed_u21q8_9,
+    output wire [22:0] results_to_fixed_u23q8_10, output wire [21:0] results_to_fixed_s22q8_11,
+    output wire [23:0] results_to_fixed_u24q24_12, output wire [31:0] results_from_fixed_u10q1_13,
+    output wire [31:0] results_div_14, output wire [15:0] results_to_fixed_u16q16_15,
+    output wire [15:0] results_from_fixed_u16q16_16, output wire [15:0] results_mul_17,
+    output wire [15:0] results_add_18, output wire [31:0] results_from_fixed_u28q16_19,
+    output wire [31:0] results_from_fixed_u52q40_20, output wire [31:0] results_convert_f32_ftz_21,
+    output wire [15:0] results_convert_f16_22
+);
+    reg [4:0] taken;
+
+    wire valid = taken == 5'd28;
+
+    assign results_valid = valid;
+
+    float_mul_s5_f32ftz mul_0 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_0));
+    float_add_s6_f32ftz add_1 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_add_1));
+    float_lt_s2_f32ftz lt_2 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_lt_2));
+    float_max_s2_f32ftz max_3 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_max_3));
+    float_recip_s28_f32ftz recip_4 (.clk(clk), .enable(enable), .a(a), .y(results_recip_4));
+    float_mul_s6_f32ftz mul_5 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_5));
+    float_sqrt_s26_f32ftz sqrt_6 (.clk(clk), .enable(enable), .a(a), .y(results_sqrt_6));
+    float_le_s2_f32ftz le_7 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_le_7));
+    float_min_s2_f32ftz min_8 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_min_8));
+    float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_u21q8_9 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u21q8_9));
+    float_to_fixed_s3_f32ftz_w23_f8_unsigned to_fixed_u23q8_10 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u23q8_10));
+    float_to_fixed_s3_f32ftz_w22_f8_signed to_fixed_s22q8_11 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_s22q8_11));
+    float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_u24q24_12 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u24q24_12));
+    float_from_fixed_s3_f32ftz_w10_f1_unsigned from_fixed_u10q1_13 (.clk(clk), .enable(enable), .a(a[9:0]), .y(results_from_fixed_u10q1_13));
+    float_div_s28_f32ftz div_14 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_div_14));
+    float_to_fixed_s3_f32ftz_w16_f16_unsigned to_fixed_u16q16_15 (.clk(clk), .enable(enable), .a(a), .y(results_to_fixed_u16q16_15));
+
+    float_from_fixed_s4_f16_w16_f16_unsigned from_fixed_u16q16_16 (
+        .clk(clk), .enable(enable), .a(a[15:0]), .y(results_from_fixed_u16q16_16)
+    );
+
+    float_mul_s6_f16 mul_17 (.clk(clk), .enable(enable), .a(a[15:0]), .b(b[15:0]), .y(results_mul_17));
+    float_add_s5_f16 add_18 (.clk(clk), .enable(enable), .a(a[15:0]), .b(b[15:0]), .y(results_add_18));
+
+    float_from_fixed_s3_f32ftz_w28_f16_unsigned from_fixed_u28q16_19 (
+        .clk(clk), .enable(enable), .a(a[27:0]), .y(results_from_fixed_u28q16_19)
+    );
+
+    float_from_fixed_s3_f32ftz_w52_f40_unsigned from_fixed_u52q40_20 (
+        .clk(clk), .enable(enable), .a({b[19:0], a}), .y(results_from_fixed_u52q40_20)
+    );
+
+    float_convert_s3_f16_f32ftz convert_f32_ftz_21 (.clk(clk), .enable(enable), .a(a[15:0]), .y(results_convert_f32_ftz_21));
+    float_convert_s3_f32ftz_f16 convert_f16_22 (.clk(clk), .enable(enable), .a(a), .y(results_convert_f16_22));
+
+    always @(posedge clk) begin
+        if (rst) taken <= 5'd0;
+        else taken <= (enable & ~valid) ? (taken + 5'd1) : taken;
+    end
+
+    wire _unused = &{1'b0, c};
 endmodule

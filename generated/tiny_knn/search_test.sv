@@ -7,10 +7,11 @@
 // then the words of those that do.
 
 module search_test;
-    wire [1:0] passed;
+    wire [2:0] passed;
 
     search_top_replay replay_0 (.passed(passed[0]));
     search_leaf_replay replay_1 (.passed(passed[1]));
+    search_operators_replay replay_2 (.passed(passed[2]));
 
     initial begin
         wait (&passed);
@@ -274,4 +275,112 @@ module search_leaf_replay(output reg passed = 1'b0);
         $display("search_leaf: 4360 cycles, 4083 items, every output as the model's");
         passed = 1'b1;
     end
+endmodule
+
+// 1143 cycles of search_operators, which 1134 items leave.
+module search_operators_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:1967];
+    reg [123:0] vector = 0;
+    reg [123:0] next = 0;
+    wire [123:0] found;
+    reg changes;
+    reg [2:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    search_operators replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .enable(vector[1]),
+        .a(vector[25:2]),
+        .b(vector[49:26]),
+        .c(vector[73:50]),
+        .results_valid(found[74]),
+        .results_add_0(found[98:75]),
+        .results_mul_1(found[122:99]),
+        .results_lt_2(found[123])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 2; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(74, 1); end
+            if (changed[1]) begin take(2, 24); take(26, 24); take(50, 24); end
+            if (changed[2]) begin take(75, 24); take(99, 24); take(123, 1); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("search_operators, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("search_operators_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 1143 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[74] !== vector[74]) differ("results_valid");
+            if (vector[74] && found[98:75] !== vector[98:75]) differ("results_add_0");
+            if (vector[74] && found[122:99] !== vector[122:99]) differ("results_mul_1");
+            if (vector[74] && found[123] !== vector[123]) differ("results_lt_2");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("search_operators: 1143 cycles, 1134 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// The floating-point operators of a core side by side.
+module search_operators (
+    input  wire clk, input wire rst, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    input  wire [23:0] c,
+    output wire results_valid, output wire [23:0] results_add_0, output wire [23:0] results_mul_1,
+    output wire results_lt_2
+);
+    reg [2:0] taken;
+
+    wire valid = taken == 3'd6;
+
+    assign results_valid = valid;
+
+    float_add_s6_f24ftz add_0 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_add_0));
+    float_mul_s4_f24ftz mul_1 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_1));
+    float_lt_s1_f24ftz lt_2 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_lt_2));
+
+    always @(posedge clk) begin
+        if (rst) taken <= 3'd0;
+        else taken <= (enable & ~valid) ? (taken + 3'd1) : taken;
+    end
+
+    wire _unused = &{1'b0, c};
 endmodule

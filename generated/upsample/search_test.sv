@@ -7,10 +7,11 @@
 // then the words of those that do.
 
 module search_test;
-    wire [1:0] passed;
+    wire [2:0] passed;
 
     search_top_replay replay_0 (.passed(passed[0]));
     search_leaf_replay replay_1 (.passed(passed[1]));
+    search_operators_replay replay_2 (.passed(passed[2]));
 
     initial begin
         wait (&passed);
@@ -305,4 +306,118 @@ module search_leaf_replay(output reg passed = 1'b0);
         $display("search_leaf: 4452 cycles, 2152 items, every output as the model's");
         passed = 1'b1;
     end
+endmodule
+
+// 1143 cycles of search_operators, which 1111 items leave.
+module search_operators_replay(output reg passed = 1'b0);
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [63:0] words [0:3073];
+    reg [196:0] vector = 0;
+    reg [196:0] next = 0;
+    wire [196:0] found;
+    reg changes;
+    reg [2:0] changed;
+    integer place = 0;
+    integer i;
+    integer cycle;
+    integer differences = 0;
+
+    search_operators replayed (
+        .clk(clk),
+        .rst(rst || vector[0]),
+        .enable(vector[1]),
+        .a(vector[33:2]),
+        .b(vector[65:34]),
+        .c(vector[97:66]),
+        .results_valid(found[98]),
+        .results_add_0(found[130:99]),
+        .results_mul_1(found[162:131]),
+        .results_lt_2(found[163]),
+        .results_sqrt_3(found[195:164]),
+        .results_lt_4(found[196])
+    );
+
+    always #5 clk = !clk;
+
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / 64][place % 64];
+            place = place + 1;
+        end
+    endtask
+
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
+    task advance;
+        begin
+            take_bit(changes);
+            for (i = 0; i <= 2; i = i + 1) begin
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
+            end
+            if (changed[0]) begin take(0, 1); take(1, 1); take(98, 1); end
+            if (changed[1]) begin take(2, 32); take(34, 32); take(66, 32); end
+            if (changed[2]) begin take(99, 32); take(131, 32); take(163, 1); take(164, 32); take(196, 1); end
+            vector = next;
+        end
+    endtask
+
+    task differ(input [8*32-1:0] port);
+        begin
+            differences = differences + 1;
+            $display("search_operators, cycle %0d: %0s differs from the model", cycle, port);
+        end
+    endtask
+
+    initial begin
+        $readmemh("search_operators_test.hex", words);
+        repeat (1) @(negedge clk);
+        rst = 1'b0;
+        for (cycle = 0; cycle < 1143 && differences == 0; cycle = cycle + 1) begin
+            advance;
+            #4;
+            if (found[98] !== vector[98]) differ("results_valid");
+            if (vector[98] && found[130:99] !== vector[130:99]) differ("results_add_0");
+            if (vector[98] && found[162:131] !== vector[162:131]) differ("results_mul_1");
+            if (vector[98] && found[163] !== vector[163]) differ("results_lt_2");
+            if (vector[98] && found[195:164] !== vector[195:164]) differ("results_sqrt_3");
+            if (vector[98] && found[196] !== vector[196]) differ("results_lt_4");
+            @(negedge clk);
+        end
+        if (differences != 0) $fatal(1, "FAILED");
+        $display("search_operators: 1143 cycles, 1111 items, every output as the model's");
+        passed = 1'b1;
+    end
+endmodule
+
+// The floating-point operators of a core side by side.
+module search_operators (
+    input  wire clk, input wire rst, input wire enable, input wire [31:0] a, input wire [31:0] b,
+    input  wire [31:0] c,
+    output wire results_valid, output wire [31:0] results_add_0, output wire [31:0] results_mul_1,
+    output wire results_lt_2, output wire [31:0] results_sqrt_3, output wire results_lt_4
+);
+    reg [4:0] taken;
+
+    wire valid = taken == 5'd26;
+
+    assign results_valid = valid;
+
+    float_add_s6_f32ftz add_0 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_add_0));
+    float_mul_s5_f32ftz mul_1 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_mul_1));
+    float_lt_s2_f32ftz lt_2 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_lt_2));
+    float_sqrt_s26_f32ftz sqrt_3 (.clk(clk), .enable(enable), .a(a), .y(results_sqrt_3));
+    float_lt_s1_f32ftz lt_4 (.clk(clk), .enable(enable), .a(a), .b(b), .y(results_lt_4));
+
+    always @(posedge clk) begin
+        if (rst) taken <= 5'd0;
+        else taken <= (enable & ~valid) ? (taken + 5'd1) : taken;
+    end
+
+    wire _unused = &{1'b0, c};
 endmodule

@@ -11,7 +11,6 @@ pub mod marks;
 pub mod motion;
 pub mod mutation;
 pub mod note;
-pub mod operands;
 pub mod soak;
 pub mod stability;
 pub mod synthesis;

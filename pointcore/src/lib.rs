@@ -20,6 +20,7 @@ pub mod generated;
 pub mod inspect;
 pub mod memory;
 pub mod number;
+pub mod operators;
 pub mod package;
 pub mod page;
 pub mod picture;

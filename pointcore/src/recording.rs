@@ -4,6 +4,7 @@ use pointcore_contract::{Direction, Port, Unit, count, read, write};
 use pointcore_golden::unit::{Model, Ported, Unit as _};
 use pointcore_tb::lockstep::{Flow, Stimulus};
 use rtl::StreamDeclaration;
+use std::iter;
 
 /// The words of every port in every cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,14 +48,13 @@ impl Recording {
         self.ports.iter().map(|port| port.width as usize).sum()
     }
 
-    /// Cycles in which a stream's item changes hands.
+    /// Cycles in which a stream's item changes hands: one that is always taken has no port that says so.
     #[must_use]
     pub fn transfers(&self, stream: &StreamDeclaration) -> usize {
-        let place = |name: String| self.ports.iter().position(|port| port.name == name);
-        let (Some(valid), Some(ready)) = (place(stream.flag_port()), stream.ready_port().and_then(place)) else {
-            return 0;
-        };
-        self.rows.iter().filter(|row| row[valid] != 0 && row[ready] != 0).count()
+        let agreed: Vec<_> = iter::once(stream.flag_port()).chain(stream.ready_port()).collect();
+        let place = |name: &String| self.ports.iter().position(|port| port.name == *name);
+        let Some(places) = agreed.iter().map(place).collect::<Option<Vec<_>>>() else { return 0 };
+        self.rows.iter().filter(|row| places.iter().all(|&place| row[place] != 0)).count()
     }
 
     /// The ports that change together, each group with the port that says whether it counts: the fields of each stream with

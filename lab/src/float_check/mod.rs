@@ -3,10 +3,11 @@
 mod operations;
 
 use crate::LabError;
-use crate::operands::FloatCases;
 pub use operations::Stages;
 
-use operations::{Operation, operations};
+use operations::operations;
+use pointcore::operators::Operation;
+use pointcore::stimuli::operands::FloatCases;
 use pointcore_contract::Format;
 use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, VerilatedModel, VerilogSource};
 use rtl::{Module, elaborate};
@@ -122,7 +123,7 @@ fn compare(
                 continue;
             }
             let operands = entered[(number % slots) as usize];
-            let golden = (operation.golden)(operands);
+            let golden = operation.result(operands, operation.format.width());
             report.cases += 1;
             if hardware != golden {
                 report.mismatches += 1;

@@ -1,9 +1,9 @@
-//! The operators that are compared, each with its golden twin.
+//! The operators that are compared.
 
+use pointcore::operators::{ON_FLOATS, Operation};
 use pointcore_contract::{Fixed, Format, Signedness, TableShape};
 use pointcore_golden::float as golden;
-use pointcore_hdl::float::{self as hdl, Operator};
-use rtl::{Expr, cat};
+use pointcore_hdl::float as hdl;
 
 /// Pipeline registers of the operators under test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +12,15 @@ pub enum Stages {
     Default,
     /// This many, as far as an operator allows.
     Fixed(u32),
+}
+
+impl Stages {
+    const fn or(self, default: u32) -> u32 {
+        match self {
+            Self::Default => default,
+            Self::Fixed(stages) => stages,
+        }
+    }
 }
 
 /// Fixed-point formats to convert from and to: plain, with all bits below the point, and with bits only far below it, where
@@ -28,130 +37,34 @@ const TABLE: TableShape = TableShape { index_bits: 6, fraction_bits: 10, value_b
 /// Decay of the Gaussian under test.
 const GAMMA: f64 = 4.0;
 
-/// What an operator takes from the triple of operands.
-enum Operands {
-    /// The first of them, by number.
-    Floats(usize),
-    /// The low bits of `b·a`, as many as that.
-    Bits(u32),
-}
-
-/// An operator under test.
-pub(super) struct Operation {
-    pub name: String,
-    pub operator: Operator,
-    pub golden: Box<dyn Fn([u64; 3]) -> u64>,
-    operands: Operands,
-}
-
-impl Operation {
-    /// What the operator's ports are connected to.
-    pub fn connections(&self, operands: &[Expr; 3]) -> Vec<(&'static str, Expr)> {
-        match self.operands {
-            Operands::Floats(count) => ["a", "b", "c"].into_iter().zip(operands.iter().cloned()).take(count).collect(),
-            Operands::Bits(width) => vec![("a", cat([operands[1], operands[0]]).trunc(width))],
-        }
-    }
-}
-
-/// Collects operations of one format.
-struct Collector {
-    format: Format,
-    stages: Stages,
-    operations: Vec<Operation>,
-}
-
-impl Collector {
-    fn stages(&self, default: u32) -> u32 {
-        match self.stages {
-            Stages::Default => default,
-            Stages::Fixed(stages) => stages,
-        }
-    }
-
-    fn push(
-        &mut self,
-        name: String,
-        operator: Operator,
-        operands: Operands,
-        golden: impl Fn([u64; 3]) -> u64 + 'static,
-    ) {
-        self.operations.push(Operation { name, operator, golden: Box::new(golden), operands });
-    }
-
-    /// An operator on numbers of one format.
-    fn floats(
-        &mut self,
-        name: &str,
-        stages: fn(Format) -> u32,
-        module: fn(Format, u32) -> Operator,
-        count: usize,
-        golden: fn(Format, [u64; 3]) -> u64,
-    ) {
-        let format = self.format;
-        let operator = module(format, self.stages(stages(format)));
-        self.push(name.into(), operator, Operands::Floats(count), move |operands| golden(format, operands));
-    }
-
-    fn conversions(&mut self) {
-        let format = self.format;
-        for (name, other) in Format::NAMED {
-            for (name, to) in [(name.to_owned(), other), (format!("{name}_ftz"), other.flushed())] {
-                let operator = hdl::convert::module(format, to, self.stages(hdl::convert::stages(format, to)));
-                let golden = move |[a, ..]: [u64; 3]| golden::convert(format, to, a);
-                self.push(format!("convert_{name}"), operator, Operands::Floats(1), golden);
-            }
-        }
-        for (index, fixed) in FIXED.into_iter().enumerate() {
-            let operator = hdl::to_fixed::module(format, fixed, self.stages(hdl::to_fixed::stages(format, fixed)));
-            let golden = move |[a, ..]: [u64; 3]| golden::to_fixed(format, a, fixed);
-            self.push(format!("to_fixed_{index}"), operator, Operands::Floats(1), golden);
-            let operator = hdl::from_fixed::module(format, fixed, self.stages(hdl::from_fixed::stages(format, fixed)));
-            let golden = move |operands| golden::from_fixed(format, low_bits(format, operands, fixed.width), fixed);
-            self.push(format!("from_fixed_{index}"), operator, Operands::Bits(fixed.width), golden);
-        }
-    }
-
-    fn tables(&mut self) {
-        let format = self.format;
-        let width = TABLE.index_bits + TABLE.fraction_bits;
-        let tables = [
-            ("exp_neg", hdl::exp_neg::samples(GAMMA, TABLE), golden::kernel_table(GAMMA, TABLE)),
-            ("erf", hdl::erf::samples(TABLE), golden::erf_table(TABLE)),
-            ("integral", hdl::erf::integral_samples(GAMMA, TABLE), golden::kernel_integral_table(GAMMA, TABLE)),
-        ];
-        for (name, samples, table) in tables {
-            let operator = hdl::table::module(TABLE, &samples, self.stages(hdl::table::stages(TABLE)));
-            let golden = move |operands| table.interpolate(low_bits(format, operands, width));
-            self.push(name.into(), operator, Operands::Bits(width), golden);
-        }
-    }
-}
-
-/// The low `width` bits of `b·a`.
-fn low_bits(format: Format, [a, b, _]: [u64; 3], width: u32) -> u64 {
-    (b << format.width() | a) & (u64::MAX >> (u64::BITS - width))
-}
-
 /// Every operator of a format.
 pub(super) fn operations(format: Format, stages: Stages) -> Vec<Operation> {
-    use hdl::{add, compare, div, fma, minmax, mul, recip_newton, rsqrt, rsqrt_newton, sqrt};
-    let mut all = Collector { format, stages, operations: vec![] };
-    all.floats("add", add::stages, add::module, 2, |f, [a, b, _]| golden::add(f, a, b));
-    all.floats("mul", mul::stages, mul::module, 2, |f, [a, b, _]| golden::mul(f, a, b));
-    all.floats("fma", fma::stages, fma::module, 3, |f, [a, b, c]| golden::fma(f, a, b, c));
-    all.floats("div", div::stages, div::module, 2, |f, [a, b, _]| golden::div(f, a, b));
-    all.floats("recip", div::stages, div::recip, 1, |f, [a, ..]| golden::recip(f, a));
-    all.floats("sqrt", sqrt::stages, sqrt::module, 1, |f, [a, ..]| golden::sqrt(f, a));
-    all.floats("rsqrt", rsqrt::stages, rsqrt::module, 1, |f, [a, ..]| golden::rsqrt(f, a));
-    all.floats("recip_newton", recip_newton::stages, recip_newton::module, 1, |f, [a, ..]| golden::recip_newton(f, a));
-    all.floats("rsqrt_newton", rsqrt_newton::stages, rsqrt_newton::module, 1, |f, [a, ..]| golden::rsqrt_newton(f, a));
-    all.floats("min", minmax::stages, minmax::min, 2, |f, [a, b, _]| golden::min(f, a, b));
-    all.floats("max", minmax::stages, minmax::max, 2, |f, [a, b, _]| golden::max(f, a, b));
-    all.floats("lt", compare::stages, compare::lt, 2, |f, [a, b, _]| golden::lt(f, a, b).into());
-    all.floats("le", compare::stages, compare::le, 2, |f, [a, b, _]| golden::le(f, a, b).into());
-    all.floats("eq", compare::stages, compare::eq, 2, |f, [a, b, _]| golden::eq(f, a, b).into());
-    all.conversions();
-    all.tables();
-    all.operations
+    let on_floats = ON_FLOATS.iter().map(|of| Operation::on_floats(format, of, stages.or((of.stages)(format))));
+    on_floats.chain(conversions(format, stages)).chain(tables(format, stages)).collect()
+}
+
+fn conversions(format: Format, stages: Stages) -> impl Iterator<Item = Operation> {
+    use hdl::{convert, from_fixed, to_fixed};
+    let floats = Format::NAMED.into_iter().flat_map(|(_, other)| [other, other.flushed()]);
+    let converted = floats.map(move |to| Operation::convert(format, to, stages.or(convert::stages(format, to))));
+    let fixed = FIXED.into_iter().flat_map(move |fixed| {
+        [
+            Operation::to_fixed(format, fixed, stages.or(to_fixed::stages(format, fixed))),
+            Operation::from_fixed(format, fixed, stages.or(from_fixed::stages(format, fixed))),
+        ]
+    });
+    converted.chain(fixed)
+}
+
+fn tables(format: Format, stages: Stages) -> impl Iterator<Item = Operation> {
+    let bits = TABLE.index_bits + TABLE.fraction_bits;
+    let tables = [
+        ("exp_neg", hdl::exp_neg::samples(GAMMA, TABLE), golden::kernel_table(GAMMA, TABLE)),
+        ("erf", hdl::erf::samples(TABLE), golden::erf_table(TABLE)),
+        ("integral", hdl::erf::integral_samples(GAMMA, TABLE), golden::kernel_integral_table(GAMMA, TABLE)),
+    ];
+    tables.into_iter().map(move |(name, samples, table)| {
+        let operator = hdl::table::module(TABLE, &samples, stages.or(hdl::table::stages(TABLE)));
+        Operation::table(name, format, operator, bits, move |place| table.interpolate(place))
+    })
 }

@@ -13,6 +13,7 @@ use crate::area::count;
 use crate::bus::{Bus, Interface};
 use crate::configuration::Configuration;
 use crate::generated::GenerateError;
+use crate::operators::record_operators;
 use crate::points;
 use crate::recording::Recording;
 use crate::search;
@@ -26,6 +27,7 @@ use pointcore_tb::lockstep::LockstepError;
 use rtl::Design;
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::iter;
 use testbench::Replayed;
 
 /// What generated files say of their origin.
@@ -101,7 +103,7 @@ impl Package {
         let bus = Bus::splat(config)?;
         package.add_bus(&bus, &Interface::splat(config));
         package.add_pins(&Configuration::Splat(config.clone()))?;
-        package.add_test(&core.design, &splat::record(config, core), &splat::record_setup(config, core)?);
+        package.add_test(&core.design, &splat::record(config, core), splat::record_setup(config, core)?)?;
         package.add_axi_test(&bus, axi_test::of_splat(&bus.design, core, config)?);
         Ok(package)
     }
@@ -117,7 +119,7 @@ impl Package {
         package.add_bus(&bus, &Interface::search(config));
         package.add_pins(&Configuration::Search(config.clone()))?;
         let leaf = search::record_leaf(config, core.latencies().distance)?;
-        package.add_test(&core.design, &search::record(config, core)?, &leaf);
+        package.add_test(&core.design, &search::record(config, core)?, leaf)?;
         package.add_axi_test(&bus, axi_test::of_search(&bus.design, config)?);
         Ok(package)
     }
@@ -133,7 +135,7 @@ impl Package {
         package.add_bus(&bus, &Interface::points(config));
         package.add_pins(&Configuration::Points(config.clone()))?;
         let leaf = search::record_leaf(&config.search, core.latencies().search.distance)?;
-        package.add_test(&core.design, &points::record(config, core)?, &leaf);
+        package.add_test(&core.design, &points::record(config, core)?, leaf)?;
         package.add_axi_test(&bus, axi_test::of_points(&bus.design, config)?);
         Ok(package)
     }
@@ -205,13 +207,21 @@ impl Package {
         Ok(())
     }
 
-    /// A test that replays what golden models did, of the whole and of a unit alone.
-    fn add_test(&mut self, design: &Design, recording: &Recording, (unit, alone): &(Design, Recording)) {
+    /// A test that replays what golden models did: of the whole, of a unit alone, and of all operators side by side.
+    fn add_test(
+        &mut self,
+        design: &Design,
+        recording: &Recording,
+        unit: (Design, Recording),
+    ) -> Result<(), GenerateError> {
         let name = format!("{}_test", self.top.trim_end_matches("_top"));
-        let parts = [Replayed { design, recording }, Replayed { design: unit, recording: alone }];
-        for (file, text) in testbench::files(&name, &parts) {
+        let alone: Vec<_> = iter::once(unit).chain(record_operators(design)?).collect();
+        let whole = Replayed { design, recording };
+        let alone = alone.iter().map(|(design, recording)| Replayed { design, recording });
+        for (file, text) in testbench::files(&name, whole, &alone.collect::<Vec<_>>()) {
             self.add(file, text, Role::Test);
         }
+        Ok(())
     }
 
     /// A test that plays a script on the buses.

@@ -128,9 +128,14 @@ impl Replayed<'_> {
     }
 }
 
-/// The test's files: its text, and the recordings that it reads from the folder that it runs in.
-pub fn files(name: &str, parts: &[Replayed]) -> Vec<(String, String)> {
+/// The test's files: its text, and the recordings that it reads from the folder that it runs in. What stands `alone` is part of the
+/// whole, or joins parts of it.
+pub fn files(name: &str, whole: Replayed, alone: &[Replayed]) -> Vec<(String, String)> {
+    let parts: Vec<_> = iter::once(whole).chain(alone.iter().copied()).collect();
     let (replays, vectors): (Vec<_>, Vec<_>) = parts.iter().map(replay).unzip();
+    let joins = |part: &&Replayed| whole.design.files().iter().all(|(module, _)| module != part.design.top());
+    let joining = alone.iter().filter(joins).filter_map(|part| part.design.files().first());
+    let joining: String = joining.map(|(_, text)| format!("\n{text}")).collect();
     let instance = |(place, part): (usize, &Replayed)| {
         format!("    {} replay_{place} (.passed(passed[{place}]));\n", part.module())
     };
@@ -155,7 +160,7 @@ module {name};
         $finish;
     end
 endmodule
-{}"#,
+{}{joining}"#,
         replays.concat()
     );
     [(format!("{name}.sv"), text)].into_iter().chain(vectors).collect()

@@ -6,6 +6,7 @@
 pub mod configuration;
 pub mod frames;
 pub mod motion;
+pub mod operands;
 pub mod pace;
 pub mod renderer;
 pub mod searcher;
