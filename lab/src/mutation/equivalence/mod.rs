@@ -58,14 +58,14 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
-/// with what is in it but large memories and operators, unless that is large; then what surrounds it, which may hide the
-/// difference or keep it from coming about.
+/// with what is in it but large memories and operators, unless that is large; then what surrounds it, likewise, which may hide
+/// the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
     let module = argument("-module").unwrap_or(&subject.top);
     let text = format!("{}\n{}", subject.verilog, subject.others);
-    let prover = Prover { yosys, subject, mutation, mutated: plain(module), seconds, modules: Modules::of(&text) };
-    prover.judge(module, argument("-cell"))
+    let (mutated, cell) = (plain(module), argument("-cell"));
+    Prover { yosys, subject, mutation, mutated, cell, seconds, modules: Modules::of(&text) }.judge(module, cell)
 }
 
 /// How a module is compared with its mutant.
@@ -95,8 +95,9 @@ struct Prover<'a> {
     yosys: &'a Tool,
     subject: &'a Subject,
     mutation: &'a str,
-    /// The module that is mutated.
+    /// The module that is mutated, and the cell in it.
     mutated: &'a str,
+    cell: Option<&'a str>,
     seconds: u32,
     modules: Modules<'a>,
 }
@@ -131,14 +132,17 @@ impl Prover<'_> {
         let whole = cores.chain(hard.map(|inner| inner.of)).filter(|inner| *inner != self.mutated).collect();
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
-        let mut proof = self.compare(module, &open)?;
-        if let (false, Some(cell)) = (proof == Proof::Equivalent, cell)
-            && self.compare_as(module, &open, Way::Around(cell))? == Proof::Equivalent
-        {
-            return Ok(Proof::Equivalent);
+        let is_large = |within: &[&str]| modules.bytes(within) > LARGEST_BYTES;
+        let mut proof = Proof::Open;
+        if name == self.mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
+            proof = self.compare(module, &open)?;
+            if let (false, Some(cell)) = (proof == Proof::Equivalent, self.cell)
+                && self.compare_as(module, &open, Way::Around(cell))? == Proof::Equivalent
+            {
+                return Ok(Proof::Equivalent);
+            }
         }
-        let is_large = modules.bytes(&within) > LARGEST_BYTES;
-        if proof != Proof::Equivalent && open != whole && !is_large {
+        if proof != Proof::Equivalent && open != whole && !is_large(&within) {
             proof = self.compare(module, &whole)?;
         }
         if proof == Proof::Equivalent || name == subject.top {
@@ -225,11 +229,12 @@ impl Prover<'_> {
             ),
             Way::At(None) => MITER.to_owned(),
             // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked here, so the
-            // cell must be there, and not be before one.
+            // cell must be there, and not be before one. In a module inside, its name ends with what it is called there.
             Way::Around(cell) => format!(
                 "select -set control */i:rst %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
-                 select -assert-any gate/c:{cell}\nselect -assert-none gate/c:{cell}{NEXT} @control %i\n\
-                 select -set near gate/c:{cell}{}\n\
+                 select -set cell gate/c:{cell} gate/c:$flatten*.{cell} %u\n\
+                 select -assert-any @cell\nselect -assert-none @cell{NEXT} @control %i\n\
+                 select -set near @cell{}\n\
                  expose -cut -dff -shared */w:* @control %d @near %d\n{MITER}",
                 NEXT.repeat(NEAR)
             ),

@@ -34,7 +34,8 @@ fn proof(subject: &Subject, mutation: &str) -> Option<Proof> {
 /// What it says where some modules inside the top may do anything.
 fn open_proof(yosys: &Tool, subject: &Subject, open: &[&str], wire: &str) -> Proof {
     let modules = Modules::of(&subject.verilog);
-    let prover = Prover { yosys, subject, mutation: &stuck_at_zero(wire), mutated: "top", seconds: 10, modules };
+    let (mutation, mutated, cell) = (&stuck_at_zero(wire), "top", None);
+    let prover = Prover { yosys, subject, mutation, mutated, cell, seconds: 10, modules };
     prover.compare("top", &open.iter().copied().collect()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -199,7 +200,8 @@ fn what_a_register_holds_may_be_inverted_twice() {
         let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
         let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
         let modules = Modules::of(&subject.verilog);
-        let prover = Prover { yosys: &yosys, subject: &subject, mutation, mutated: "top", seconds: 10, modules };
+        let (mutated, subject) = ("top", &subject);
+        let prover = Prover { yosys: &yosys, subject, mutation, mutated, cell: Some(cell), seconds: 10, modules };
         let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(cell));
         proof.unwrap_or_else(|error| panic!("{error}"))
     };
