@@ -3,6 +3,7 @@
 
 use super::generate::SplatCore;
 use crate::generated::GenerateError;
+use crate::number::encode;
 use crate::recording::{Recorder, Recording};
 use crate::stimuli::frames::{Frame, Lens, around, frames};
 use fastrand::Rng;
@@ -16,6 +17,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::{motion_setup, setup};
 use pointcore_tb::lockstep::{Stall, Stalls};
 use rtl::{Design, elaborate};
+use std::f32::consts::TAU;
 
 /// Frames whose splats lie all around what the camera sees.
 const FRAMES: u64 = 12;
@@ -23,6 +25,18 @@ const SPLATS: u32 = 160;
 /// Frames of anything, odd numbers among it, each of so many splats at most.
 const ODD_FRAMES: usize = 48;
 const ODD_SPLATS: u32 = 16;
+/// Frames of splats that hardly any scene has.
+const HARD_FRAMES: u64 = 8;
+/// Binary logarithms, each from the first to the last: of the near plane, of the far one beyond it, of a splat's depth beyond it.
+const HARD_UNITS: [f32; 2] = [-40.0, 40.0];
+const HARD_RANGES: [f32; 2] = [1.0, 40.0];
+const HARD_DEPTHS: [f32; 2] = [-1.0, 12.0];
+/// Of a splat's radius across the line of sight (px), of how far from the eye's plane it ends (its depth is 1), of how much shorter some are.
+const HARD_RADII_PX: [f32; 2] = [-2.0, 4.0];
+const EYE_DISTANCES: [f32; 2] = [-14.0, -1.0];
+const SHORTER: [f32; 2] = [-120.0, 0.0];
+/// Where splats are in the image, whose edge is 1.
+const BESIDE: [f32; 2] = [-0.05, 1.05];
 /// How both streams are held back, frame after frame.
 const PATTERNS: [Stall; 3] = [Stall::Never, Stall::Varied, Stall::Random(0.2)];
 /// Cycles beyond the latency until nothing is under way.
@@ -81,14 +95,55 @@ fn scenes(config: &Config) -> Vec<(Uniforms, Vec<Splat>)> {
     let transform = Transform::new(config, 1);
     let around = (0..FRAMES).map(|seed| around(config, SPLATS, lens, &mut Rng::with_seed(seed)));
     let odd = frames(config, ODD_FRAMES, ODD_SPLATS, lens, None, &mut Rng::with_seed(0));
-    let seen = |frame: Frame| {
-        let uniforms: Uniforms = read(config, &frame.uniforms);
+    let hard = (0..HARD_FRAMES).map(|seed| hard(config, lens, &mut Rng::with_seed(seed)));
+    let sent = around.chain(odd).map(|Frame { uniforms, records, .. }| (read(config, &uniforms), records));
+    let seen = |(uniforms, splats): (Uniforms, Vec<Splat>)| {
         let Uniforms { model_view, near_plane, .. } = uniforms;
         let camera = TransformUniforms { model_view, near_plane };
-        let left = |splat: &Splat| transform.transform(splat, &camera);
-        (uniforms, frame.records.iter().filter_map(left).collect())
+        let left = splats.iter().filter_map(|splat| transform.transform(splat, &camera));
+        (uniforms, left.collect())
     };
-    around.chain(odd).map(seen).collect()
+    sent.chain(hard).map(seen).collect()
+}
+
+/// A frame that few scenes have: in a unit of length of its own, with a far plane far beyond the near one, of splats that lie along the
+/// line of sight and end just before the eye's plane, where what is added for rounding shows, and of such that are as short as the
+/// format's numbers can be.
+fn hard(config: &Config, lens: Lens, random: &mut Rng) -> (Uniforms, Vec<Splat>) {
+    let Frame { uniforms, records, .. } = around(config, SPLATS, lens, random);
+    let between = |random: &mut Rng, [low, high]: [f32; 2]| low + (high - low) * random.f32();
+    let number = |value: f32| encode(config.geometry, value);
+    let near = between(random, HARD_UNITS).exp2();
+    let far = near * between(random, HARD_RANGES).exp2();
+    let depth_a = far / (far - near);
+    let mut uniforms: Uniforms = read(config, &uniforms);
+    let row = |axis: usize| [0, 1, 2, 3].map(|column| number(if column == axis { 1.0 } else { 0.0 }));
+    uniforms.model_view.rows = [row(0), row(1), row(2)];
+    uniforms.near_plane = number(near);
+    (uniforms.viewport.depth_a, uniforms.viewport.depth_b) = (number(depth_a), number(-near * depth_a));
+    let replaced = |splat: &Splat| {
+        let depth = near * between(random, HARD_DEPTHS).exp2();
+        let pixel = [config.width, config.height].map(|edge| edge as f32 * between(random, BESIDE));
+        let [x, y] = [0, 1].map(|axis| (pixel[axis] - lens.origin[axis]) / lens.scale[axis]);
+        let mut tangents = [(); 2].map(|()| {
+            let radius = depth * between(random, HARD_RADII_PX).exp2();
+            [0, 1].map(|axis| radius * between(random, [-1.0, 1.0]) / lens.scale[axis])
+        });
+        let (sine, cosine) = between(random, [0.0, TAU]).sin_cos();
+        let mut along = [cosine, sine].map(|part| part * depth * (1.0 - between(random, EYE_DISTANCES).exp2()));
+        if random.bool() {
+            let shorter = [(); 2].map(|()| between(random, SHORTER).exp2());
+            (0..2).filter(|_| random.bool()).for_each(|of| {
+                tangents[of] = tangents[of].map(|part| part * shorter[of]);
+                along[of] *= shorter[of];
+            });
+        }
+        let vector = |[of_x, of_y]: [f32; 2], of_z: f32| [x * of_z + of_x, y * of_z + of_y, of_z].map(number);
+        Splat { center: vector([0.0; 2], depth), tangents: [0, 1].map(|of| vector(tangents[of], along[of])), ..*splat }
+    };
+    let end = records.iter().filter(|splat| splat.end);
+    let splats = records.iter().filter(|splat| !splat.end).map(replaced).collect::<Vec<_>>();
+    (uniforms, splats.iter().chain(end).copied().collect())
 }
 
 #[cfg(test)]
