@@ -10,7 +10,7 @@ use pointcore_contract::{Direction, Format, Port};
 use rtl::{Design, Module, elaborate};
 use std::iter;
 
-/// Triples of operands in each format.
+/// Triples of operands in each format, beside those of numbers at the ends of its range.
 const CASES: usize = 1000;
 /// Cycles that are disabled, of all.
 const HELD: f64 = 0.125;
@@ -33,10 +33,20 @@ pub fn record_operators(core: &Design) -> Result<Option<(Design, Recording)>, Ge
     let cases = formats.iter().map(|&format| {
         let cases = FloatCases::new(format, 0);
         let directed = cases.directed() as usize;
-        cases.skip(directed).take(CASES)
+        cases.skip(directed).take(CASES).chain(pairs(format))
     });
-    let recording = record(&design, &operations, width, cases.flatten());
+    // The first answers do not count yet, and the last operands are to be answered, too.
+    let cases = cases.flatten().chain(iter::repeat_n([0; 3], longest(&operations) as usize));
+    let recording = record(&design, &operations, width, cases);
     Ok(Some((design, recording)))
+}
+
+/// All pairs of zero, one, numbers at the ends of the range, and no number.
+fn pairs(format: Format) -> impl Iterator<Item = [u64; 3]> {
+    let smallest = 1 << format.mantissa;
+    let positive = [0, smallest, format.one(), format.infinity() - 1, format.infinity(), format.quiet_nan()];
+    let numbers = positive.into_iter().flat_map(move |number| [number, number | format.sign_mask()]);
+    numbers.clone().flat_map(move |a| numbers.clone().map(move |b| [a, b, a]))
 }
 
 /// Operators that are given the same, each its low bits, and enabled together; what they answer counts when it is of operands in all.

@@ -22,8 +22,8 @@ const RUNS: [(Stall, Place, u32); 8] = [
     (Stall::Random(0.1), place(0.9, -4.5), 240),
     (Stall::Random(0.5), place(0.2, -2.5), 40),
 ];
-/// Runs of frames whose splats are of all kinds, and how many they are.
-const MIXED_RUNS: u64 = 3;
+/// Runs of frames whose splats are of all kinds, each in another unit of length, and how many splats they are.
+const MIXED_UNITS: [f32; 3] = [1.0, 4096.0, 1.0 / 65536.0];
 const MIXED_SPLATS: u32 = 60;
 /// Streams that hardly move in a run, in which a few large discs cover tiles.
 const HELD: [usize; 3] = [DATA, READ, WRITE];
@@ -63,9 +63,9 @@ pub fn record(config: &Config, core: &SplatCore) -> Recording {
         let paces = Paces::alike(streams(config), pattern, random);
         runs.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
-    for seed in 0..MIXED_RUNS {
+    for (seed, unit) in (0..).zip(MIXED_UNITS) {
         let random = &mut Rng::with_seed(seed);
-        let frames = [(); 2].map(|()| around(config, MIXED_SPLATS, LENS, random)).into();
+        let frames = [(); 2].map(|()| around(config, MIXED_SPLATS, LENS, random).in_units(config, unit)).into();
         let paces = Paces::alike(streams(config), Stall::Varied, random);
         runs.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }

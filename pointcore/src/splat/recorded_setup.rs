@@ -26,7 +26,7 @@ const SPLATS: u32 = 160;
 const ODD_FRAMES: usize = 48;
 const ODD_SPLATS: u32 = 16;
 /// Frames of splats that hardly any scene has.
-const HARD_FRAMES: u64 = 8;
+const HARD_FRAMES: u64 = 12;
 /// Binary logarithms, each from the first to the last: of the near plane, of the far one beyond it, of a splat's depth beyond it.
 const HARD_UNITS: [f32; 2] = [-40.0, 40.0];
 const HARD_RANGES: [f32; 2] = [1.0, 40.0];
@@ -34,7 +34,7 @@ const HARD_DEPTHS: [f32; 2] = [-1.0, 12.0];
 /// Of a splat's radius across the line of sight (px), of how far from the eye's plane it ends (its depth is 1), of how much shorter some are.
 const HARD_RADII_PX: [f32; 2] = [-2.0, 4.0];
 const EYE_DISTANCES: [f32; 2] = [-14.0, -1.0];
-const SHORTER: [f32; 2] = [-120.0, 0.0];
+const SHORTER: [f32; 2] = [-130.0, 0.0];
 /// Where splats are in the image, whose edge is 1.
 const BESIDE: [f32; 2] = [-0.05, 1.05];
 /// How both streams are held back, frame after frame.
@@ -131,12 +131,12 @@ fn hard(config: &Config, lens: Lens, random: &mut Rng) -> (Uniforms, Vec<Splat>)
         });
         let (sine, cosine) = between(random, [0.0, TAU]).sin_cos();
         let mut along = [cosine, sine].map(|part| part * depth * (1.0 - between(random, EYE_DISTANCES).exp2()));
-        if random.bool() {
-            let shorter = [(); 2].map(|()| between(random, SHORTER).exp2());
-            (0..2).filter(|_| random.bool()).for_each(|of| {
-                tangents[of] = tangents[of].map(|part| part * shorter[of]);
-                along[of] *= shorter[of];
-            });
+        if random.u8(..3) == 0 {
+            for part in tangents.iter_mut().flatten().chain(&mut along) {
+                if random.bool() {
+                    *part *= between(random, SHORTER).exp2();
+                }
+            }
         }
         let vector = |[of_x, of_y]: [f32; 2], of_z: f32| [x * of_z + of_x, y * of_z + of_y, of_z].map(number);
         Splat { center: vector([0.0; 2], depth), tangents: [0, 1].map(|of| vector(tangents[of], along[of])), ..*splat }

@@ -3,14 +3,14 @@
 
 use super::motion::motion;
 use super::one_of;
-use crate::number::{encode, encode_attribute, encode_uniform};
+use crate::number::{decode, encode, encode_attribute, encode_uniform};
 use crate::splat::END;
 use fastrand::Rng;
 use glam::{EulerRot, Quat, Vec3};
 use pointcore_contract::splat::motion::{SHUTTER, TIME_BINS_MAX};
 use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Shutter, Splat, Uniforms, Viewport};
 use pointcore_contract::splat::{AttributeFormat, Config};
-use pointcore_contract::{places, words};
+use pointcore_contract::{places, read, words};
 use std::f32::consts::TAU;
 
 /// Numbers that are none, or hardly.
@@ -159,6 +159,23 @@ pub fn around(config: &Config, splats: u32, lens: Lens, random: &mut Rng) -> Fra
     let mut records: Vec<_> = (0..splats).map(|_| seen(config, lens, pose, random)).collect();
     records.push(END);
     Frame { uniforms: words(config, camera(config, lens, pose, random)), is_new_view: true, records }
+}
+
+impl Frame {
+    /// The same in another unit of length, of which there are so many in one of before.
+    #[must_use]
+    pub fn in_units(self, config: &Config, units: f32) -> Self {
+        let longer = |bits: &mut u32| *bits = encode(config.geometry, units * decode(config.geometry, *bits));
+        let mut uniforms: Uniforms = read(config, &self.uniforms);
+        uniforms.model_view.rows.iter_mut().for_each(|row| longer(&mut row[3]));
+        longer(&mut uniforms.near_plane);
+        longer(&mut uniforms.viewport.depth_b);
+        let mut records = self.records;
+        for Splat { center, tangents, .. } in &mut records {
+            center.iter_mut().chain(tangents.iter_mut().flatten()).for_each(longer);
+        }
+        Self { uniforms: words(config, uniforms), records, ..self }
+    }
 }
 
 /// The words of uniform registers, one of them odd now and then.
