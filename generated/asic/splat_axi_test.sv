@@ -228,7 +228,7 @@ module axi_test_writes #(parameter BITS = 64, parameter BEATS = 1, parameter TIL
 endmodule
 
 module splat_axi_test;
-    localparam WORDS = 39679, ANSWERS = 49;
+    localparam WORDS = 39867, ANSWERS = 52;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 6, EVENTS = 6, EVENT_BITS = 1;

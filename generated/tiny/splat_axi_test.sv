@@ -228,7 +228,7 @@ module axi_test_writes #(parameter BITS = 64, parameter BEATS = 1, parameter TIL
 endmodule
 
 module splat_axi_test;
-    localparam WORDS = 83059, ANSWERS = 49;
+    localparam WORDS = 83257, ANSWERS = 51;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6, EVENT_BITS = 1;

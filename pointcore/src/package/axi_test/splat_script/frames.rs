@@ -23,6 +23,10 @@ const OFFSET_PX: f64 = 2.0;
 /// Where the splats of a tile lie before the eye, and how far from each other at most: some belong to a surface, some do not.
 const DEPTHS: [f64; 2] = [3.0, 9.0];
 const THICKNESS: f64 = 0.05;
+/// The units of length of both cameras.
+const UNITS: [f64; 2] = [1.0, 1024.0];
+/// What each tangent leads away from the eye, of what it leads across.
+const TILT: [f64; 2] = [-0.5, 0.5];
 /// Attributes are as large as that at most.
 const ATTRIBUTE: f32 = 8.0;
 /// Frames of a script.
@@ -48,14 +52,21 @@ pub fn all(config: &Config, core: &SplatCore) -> Result<Vec<Frame>, LockstepErro
     (0..FRAMES).map(frame).collect()
 }
 
+/// The unit of length of a frame's camera.
+fn unit(number: usize) -> f64 {
+    UNITS[number.min(1)]
+}
+
 /// Two cameras: straight ahead, and turned and moved aside.
 fn camera(config: &Config, number: usize) -> Camera {
     let [width, height] = [config.width, config.height].map(f64::from);
+    let unit = unit(number);
     let number = number.min(1);
     let (near, far) = [(1.0, 10.0), (2.0, 20.0)][number];
     let depth_a = far / (far - near);
+    let near = near * unit;
     let straight = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-    let turned = [[0.0, 1.0, 0.0, 0.5], [-1.0, 0.0, 0.0, -0.25], [0.0, 0.0, 1.0, 1.5]];
+    let turned = [[0.0, 1.0, 0.0, 0.5 * unit], [-1.0, 0.0, 0.0, -0.25 * unit], [0.0, 0.0, 1.0, 1.5 * unit]];
     Camera {
         model_view: [straight, turned][number],
         scale_x: height,
@@ -92,7 +103,8 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
     let tiles: Vec<(u32, f64)> = tiles.into_iter().map(|tile| (tile, between(DEPTHS, &mut random))).collect();
     let splat = |(tile, depth): &(u32, f64)| {
         let middle = [tile % columns, tile / columns].map(|tile| f64::from(tile * TILE_SIZE + TILE_SIZE / 2));
-        splat(config, &camera, middle, *depth, &mut random)
+        let depth = unit(number) * (depth + THICKNESS * random.f64());
+        splat(config, &camera, middle, depth, &mut random)
     };
     let heap = if config.heap_capacity() <= SMALL_HEAP { config.heap_capacity() as usize + BEYOND_HEAP } else { 0 };
     let count = heap.max(OF_TILE * tiles.len());
@@ -108,11 +120,10 @@ fn between([low, high]: [f64; 2], random: &mut Rng) -> f64 {
     low + (high - low) * random.f64()
 }
 
-/// A splat near a place in the picture that faces the eye, at a depth or a little behind it.
+/// A splat near a place in the picture that faces the eye, at a depth.
 fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], depth: f64, random: &mut Rng) -> Splat {
     let mut offset = || (2.0 * random.f64() - 1.0) * OFFSET_PX;
     let [x, y] = [column + offset(), row + offset()];
-    let depth = depth + THICKNESS * random.f64();
     let radius_px = between(RADII_PX, random);
     let eye = [(x - camera.center_x) / camera.scale_x * depth, (y - camera.center_y) / camera.scale_y * depth, depth];
     let radius = radius_px / camera.scale_x * depth;
@@ -122,8 +133,9 @@ fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], depth: f64, 
     };
     let vector = |numbers: [f64; 3]| numbers.map(|number| encode(config.geometry, number as f32));
     let center = vector(turn([0, 1, 2].map(|axis| eye[axis] - camera.model_view[axis][3])));
-    // The cross product of the tangents points at the eye.
-    let tangents = [[0.0, radius, 0.0], [radius, 0.0, 0.0]].map(|tangent| vector(turn(tangent)));
+    // The cross product of the tangents points at the eye, more or less.
+    let mut tilt = || radius * between(TILT, random);
+    let tangents = [[0.0, radius, tilt()], [radius, 0.0, tilt()]].map(|tangent| vector(turn(tangent)));
     let mut attributes = Attributes::default();
     let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
     continuous.fill_with(|| encode_attribute(config.attribute, ATTRIBUTE * (2.0 * random.f32() - 1.0)));
