@@ -165,7 +165,16 @@ impl Operation {
         }
     }
 
-    /// What the operator's ports are connected to.
+    /// Bits of each operand that it needs at least.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        match self.operands {
+            Operands::Floats(_) => self.format.width(),
+            Operands::Bits(bits) => bits.div_ceil(3).max(self.format.width()),
+        }
+    }
+
+    /// What the operator's ports are connected to, given operands of such a width or more.
     #[must_use]
     pub fn connections(&self, operands: &[Expr; 3]) -> Vec<(&'static str, Expr)> {
         match self.operands {

@@ -27,7 +27,7 @@ pub fn record_operators(core: &Design) -> Result<Option<(Design, Recording)>, Ge
             formats.push(operation.format);
         }
     }
-    let Some(width) = formats.iter().map(|format| format.width()).max() else { return Ok(None) };
+    let Some(width) = operations.iter().map(Operation::width).max() else { return Ok(None) };
     let name = format!("{}_operators", core.top().trim_end_matches("_top"));
     let design = elaborate(&side_by_side(&name, &operations, width))?;
     let cases = formats.iter().map(|&format| {
@@ -125,8 +125,8 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    fn core(kind: &str) -> Design {
-        let configuration = configuration::parse(Path::new("core.toml"), &format!("kind = \"{kind}\"\n"));
+    fn core(text: &str) -> Design {
+        let configuration = configuration::parse(Path::new("core.toml"), text);
         let module = configuration.unwrap_or_else(|error| panic!("{error}")).module();
         elaborate(&module.unwrap_or_else(|error| panic!("{error}"))).unwrap_or_else(|error| panic!("{error}"))
     }
@@ -139,7 +139,10 @@ mod tests {
     #[test]
     fn every_operator_of_a_core_is_there_as_it_is_in_the_core() {
         // The renderer has a table, whose values are the core's.
-        for (kind, tables) in [("splat", 1), ("search", 0), ("points", 0)] {
+        let narrow = "kind = \"splat\"\nfeatures.geometry = \"bf16\"\n";
+        for (kind, tables) in
+            [("kind = \"splat\"\n", 1), (narrow, 1), ("kind = \"search\"\n", 0), ("kind = \"points\"\n", 0)]
+        {
             let core = core(kind);
             let recorded = record_operators(&core).unwrap_or_else(|error| panic!("{error}"));
             let (design, recording) = recorded.expect("it has operators");
