@@ -65,7 +65,7 @@ pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> R
     let module = argument("-module").unwrap_or(&subject.top);
     let text = format!("{}\n{}", subject.verilog, subject.others);
     let (mutated, cell) = (plain(module), argument("-cell"));
-    Prover { yosys, subject, mutation, mutated, cell, seconds, modules: Modules::of(&text) }.judge(module, cell)
+    Prover { yosys, subject, mutation, mutated, cell, seconds, modules: Modules::of(&text) }.judge(module)
 }
 
 /// How a module is compared with its mutant.
@@ -114,13 +114,15 @@ fn plain(module: &str) -> &str {
 }
 
 impl Prover<'_> {
-    /// Whether nobody sees a difference outside of `module`, or of all that place it. A mutated `cell` may be a module in it.
-    fn judge(&self, module: &str, cell: Option<&str>) -> Result<Proof, MutationError> {
+    /// Whether nobody sees a difference outside of `module`, or of all that place it.
+    fn judge(&self, module: &str) -> Result<Proof, MutationError> {
         let Self { subject, modules, .. } = self;
         let name = plain(module);
         let is_core = |name: &str| subject.core.as_deref() == Some(name);
+        let is_mutated = name == self.mutated;
         // Where a port is mutated, the instance may not look at it: what it does shows that. A memory looks at all.
-        let has_mutated_port = |inner: &Instance<'_>| cell == Some(inner.name) && inner.memory_size().is_none();
+        let has_mutated_port =
+            |inner: &Instance<'_>| is_mutated && self.cell == Some(inner.name) && inner.memory_size().is_none();
         let holds_mutated = |inner: &Instance<'_>| modules.within(inner.of, is_core).contains(&self.mutated);
         let inside = modules.inside(name);
         let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
@@ -134,10 +136,10 @@ impl Prover<'_> {
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let is_large = |within: &[&str]| modules.bytes(within) > LARGEST_BYTES;
         let mut proof = Proof::Open;
-        if name == self.mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
+        if is_mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
             proof = self.compare(module, &open)?;
             if let (false, Some(cell)) = (proof == Proof::Equivalent, self.cell)
-                && self.compare_as(module, &open, Way::Around(cell))? == Proof::Equivalent
+                && self.compare_as(module, &open, Way::Around(&self.name_in(name, cell)))? == Proof::Equivalent
             {
                 return Ok(Proof::Equivalent);
             }
@@ -149,12 +151,17 @@ impl Prover<'_> {
             return Ok(proof);
         }
         for outer in modules.around(name) {
-            proof = self.judge(outer, None)?;
+            proof = self.judge(outer)?;
             if proof != Proof::Equivalent {
                 break;
             }
         }
         Ok(proof)
+    }
+
+    /// What yosys calls the mutated cell in a module: around the one that is mutated, where all is one, its name ends so.
+    fn name_in(&self, module: &str, cell: &str) -> String {
+        if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") }
     }
 
     /// The border of a module as the generator knows it.
@@ -229,12 +236,11 @@ impl Prover<'_> {
             ),
             Way::At(None) => MITER.to_owned(),
             // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked here, so the
-            // cell must be there, and not be before one. In a module inside, its name ends with what it is called there.
+            // cell must be there, and not be before one.
             Way::Around(cell) => format!(
                 "select -set control */i:rst %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
-                 select -set cell gate/c:{cell} gate/c:$flatten*.{cell} %u\n\
-                 select -assert-any @cell\nselect -assert-none @cell{NEXT} @control %i\n\
-                 select -set near @cell{}\n\
+                 select -assert-any gate/c:{cell}\nselect -assert-none gate/c:{cell}{NEXT} @control %i\n\
+                 select -set near gate/c:{cell}{}\n\
                  expose -cut -dff -shared */w:* @control %d @near %d\n{MITER}",
                 NEXT.repeat(NEAR)
             ),

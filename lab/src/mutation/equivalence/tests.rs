@@ -177,37 +177,54 @@ fn a_mutant_is_where_it_was_listed() {
     }
 }
 
+/// What the proof near a fault says where the output of a register is inverted, in a module inside the top or in the top itself.
+fn inverted(yosys: &Tool, text: &str, mutated: &str, wire: &str) -> Proof {
+    let subject = &subject(text, "", None, "top");
+    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
+    let listed = Schemata::new(yosys, folder.path(), subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
+    let parts = ["-mode inv", &format!("-module {mutated} "), "-cell $procdff", "-port Q", &format!("-wire {wire}")];
+    let is_inverted = |mutation: &&String| parts.iter().all(|part| mutation.contains(*part));
+    let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
+    let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
+    let modules = Modules::of(&subject.verilog);
+    let prover = Prover { yosys, subject, mutation, mutated, cell: Some(cell), seconds: 10, modules };
+    let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(&prover.name_in("top", cell)));
+    proof.unwrap_or_else(|error| panic!("{error}"))
+}
+
 #[test]
 fn what_a_register_holds_may_be_inverted_twice() {
     let Some(yosys) = yosys() else { return };
     // It holds for four cycles, and is looked at in one of them.
-    let inverted = |wire: &str, phase: u32| {
-        let top = format!(
+    let text = |phase: u32| {
+        format!(
             "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\n\
              always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
              always @(posedge clk) if (phase == 2'd0) kept <= x;\n\
              always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
-        );
-        let subject = subject(&top, "", None, "top");
-        let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-        let listed =
-            Schemata::new(&yosys, folder.path(), &subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
-        let is_inverted = |mutation: &&String| {
-            ["-mode inv", "-cell $procdff", "-port Q", &format!("-wire {wire}")]
-                .iter()
-                .all(|part| mutation.contains(*part))
-        };
-        let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
-        let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
-        let modules = Modules::of(&subject.verilog);
-        let (mutated, subject) = ("top", &subject);
-        let prover = Prover { yosys: &yosys, subject, mutation, mutated, cell: Some(cell), seconds: 10, modules };
-        let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(cell));
-        proof.unwrap_or_else(|error| panic!("{error}"))
+        )
     };
-    assert_eq!([1, 2, 3].map(|phase| inverted("kept", phase)), [Proof::Different, Proof::Equivalent, Proof::Different]);
+    let proofs = [1, 2, 3].map(|phase| inverted(&yosys, &text(phase), "top", "kept"));
+    assert_eq!(proofs, [Proof::Different, Proof::Equivalent, Proof::Different]);
     // What it is reset to would not be seen.
-    assert_eq!(inverted("phase", 2), Proof::Open);
+    assert_eq!(inverted(&yosys, &text(2), "top", "phase"), Proof::Open);
+}
+
+#[test]
+fn what_a_register_inside_holds_is_looked_at_outside() {
+    let Some(yosys) = yosys() else { return };
+    let text = |phase: u32| {
+        format!(
+            "module inner (input clk, input load, input x, output reg kept);\n\
+             always @(posedge clk) if (load) kept <= x;\nendmodule\n\
+             module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nwire kept;\n\
+             inner inner (\n.clk(clk), .load(phase == 2'd0), .x(x), .kept(kept));\n\
+             always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
+             always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
+        )
+    };
+    let proofs = [1, 2].map(|phase| inverted(&yosys, &text(phase), "inner", "kept"));
+    assert_eq!(proofs, [Proof::Different, Proof::Equivalent]);
 }
 
 #[test]
