@@ -7,6 +7,7 @@
 //!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
 //! - What lies behind their ports: [`memory`].
 //! - Operators on neighborhoods, over whole point sets: [`process`].
+//! - The operators that cores compute with, each with its model: [`operators`].
 //! - What others build with: [`package`] and the [`recording`] in its test, [`bus`], [`vectors`].
 //! - Surroundings of whole cores in which anything may happen: [`stimuli`].
 

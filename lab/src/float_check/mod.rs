@@ -83,12 +83,7 @@ fn top(format: Format, operations: &[Operation]) -> Module {
     let enable = module.input("enable", 1);
     let operands = ["a", "b", "c"].map(|name| module.input(name, width));
     for operation in operations {
-        let instance = module.instance(&operation.name, operation.operator.module.clone());
-        module.connect(instance, "enable", enable);
-        for (port, value) in operation.connections(&operands) {
-            module.connect(instance, port, value);
-        }
-        let result = module.out(instance, "y");
+        let result = operation.place(&mut module, &operation.name, enable, &operands);
         module.output(&format!("y_{}", operation.name), result);
     }
     module

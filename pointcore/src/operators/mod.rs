@@ -7,7 +7,7 @@ pub use recorded::record_operators;
 use pointcore_contract::{Fixed, Format, Signedness};
 use pointcore_golden::float as golden;
 use pointcore_hdl::float::{self as hdl, Operator};
-use rtl::{Expr, ModuleSummary, cat};
+use rtl::{Expr, Module, ModuleSummary, cat};
 use std::str::FromStr;
 
 /// What the names of their modules begin with.
@@ -174,9 +174,18 @@ impl Operation {
         }
     }
 
-    /// What the operator's ports are connected to, given operands of such a width or more.
-    #[must_use]
-    pub fn connections(&self, operands: &[Expr; 3]) -> Vec<(&'static str, Expr)> {
+    /// Places the operator in a module, under a name, with operands of such a width or more; returns its result.
+    pub fn place(&self, module: &mut Module, name: &str, enable: Expr, operands: &[Expr; 3]) -> Expr {
+        let instance = module.instance(name, self.operator.module.clone());
+        module.connect(instance, "enable", enable);
+        for (port, value) in self.connections(operands) {
+            module.connect(instance, port, value);
+        }
+        module.out(instance, "y")
+    }
+
+    /// What its ports are connected to.
+    fn connections(&self, operands: &[Expr; 3]) -> Vec<(&'static str, Expr)> {
         match self.operands {
             Operands::Floats(count) => {
                 let low = operands.iter().map(|operand| operand.trunc(self.format.width()));

@@ -59,21 +59,14 @@ fn side_by_side(name: &str, operations: &[Operation], width: u32) -> Module {
     let valid = module.wire("valid", taken.eq_lit(full.into()));
     module.next(taken, (enable & !valid).mux(taken.add_lit(1), taken));
     let results = operations.iter().enumerate().map(|(place, operation)| {
-        let instance = module.instance(&result(place, operation), operation.operator.module.clone());
-        module.connect(instance, "enable", enable);
-        for (port, value) in operation.connections(&operands) {
-            module.connect(instance, port, value);
-        }
-        (result(place, operation), module.out(instance, "y"))
+        // A core may have several that differ in their pipelines only.
+        let name = format!("{}_{place}", operation.name);
+        let result = operation.place(&mut module, &name, enable, &operands);
+        (name, result)
     });
     let results: Vec<_> = results.collect();
     module.pulse_out("results", "valid", valid, results);
     module
-}
-
-/// What an operator's result is called: a core may have several that differ in their pipelines only.
-fn result(place: usize, operation: &Operation) -> String {
-    format!("{}_{place}", operation.name)
 }
 
 /// Enabled cycles until every operator answers.

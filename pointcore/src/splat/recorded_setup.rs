@@ -5,7 +5,7 @@ use super::generate::SplatCore;
 use crate::generated::GenerateError;
 use crate::number::encode;
 use crate::recording::{Recorder, Recording};
-use crate::stimuli::frames::{Frame, Lens, around, frames};
+use crate::stimuli::frames::{Frame, Lens, around, between, frames};
 use fastrand::Rng;
 use pointcore_contract::read;
 use pointcore_contract::splat::records::{Splat, Uniforms};
@@ -110,40 +110,38 @@ fn scenes(config: &Config) -> Vec<(Uniforms, Vec<Splat>)> {
 /// line of sight and end just before the eye's plane, where what is added for rounding shows, and of such that are as short as the
 /// format's numbers can be.
 fn hard(config: &Config, lens: Lens, random: &mut Rng) -> (Uniforms, Vec<Splat>) {
-    let Frame { uniforms, records, .. } = around(config, SPLATS, lens, random);
-    let between = |random: &mut Rng, [low, high]: [f32; 2]| low + (high - low) * random.f32();
+    let Frame { uniforms, mut records, .. } = around(config, SPLATS, lens, random);
     let number = |value: f32| encode(config.geometry, value);
-    let near = between(random, HARD_UNITS).exp2();
-    let far = near * between(random, HARD_RANGES).exp2();
+    let near = between(HARD_UNITS, random).exp2();
+    let far = near * between(HARD_RANGES, random).exp2();
     let depth_a = far / (far - near);
     let mut uniforms: Uniforms = read(config, &uniforms);
     let row = |axis: usize| [0, 1, 2, 3].map(|column| number(if column == axis { 1.0 } else { 0.0 }));
     uniforms.model_view.rows = [row(0), row(1), row(2)];
     uniforms.near_plane = number(near);
     (uniforms.viewport.depth_a, uniforms.viewport.depth_b) = (number(depth_a), number(-near * depth_a));
-    let replaced = |splat: &Splat| {
-        let depth = near * between(random, HARD_DEPTHS).exp2();
-        let pixel = [config.width, config.height].map(|edge| edge as f32 * between(random, BESIDE));
+    for splat in records.iter_mut().filter(|splat| !splat.end) {
+        let depth = near * between(HARD_DEPTHS, random).exp2();
+        let pixel = [config.width, config.height].map(|edge| edge as f32 * between(BESIDE, random));
         let [x, y] = [0, 1].map(|axis| (pixel[axis] - lens.origin[axis]) / lens.scale[axis]);
         let mut tangents = [(); 2].map(|()| {
-            let radius = depth * between(random, HARD_RADII_PX).exp2();
-            [0, 1].map(|axis| radius * between(random, [-1.0, 1.0]) / lens.scale[axis])
+            let radius = depth * between(HARD_RADII_PX, random).exp2();
+            [0, 1].map(|axis| radius * between([-1.0, 1.0], random) / lens.scale[axis])
         });
-        let (sine, cosine) = between(random, [0.0, TAU]).sin_cos();
-        let mut along = [cosine, sine].map(|part| part * depth * (1.0 - between(random, EYE_DISTANCES).exp2()));
+        let (sine, cosine) = between([0.0, TAU], random).sin_cos();
+        let mut along = [cosine, sine].map(|part| part * depth * (1.0 - between(EYE_DISTANCES, random).exp2()));
         if random.u8(..3) == 0 {
             for part in tangents.iter_mut().flatten().chain(&mut along) {
                 if random.bool() {
-                    *part *= between(random, SHORTER).exp2();
+                    *part *= between(SHORTER, random).exp2();
                 }
             }
         }
         let vector = |[of_x, of_y]: [f32; 2], of_z: f32| [x * of_z + of_x, y * of_z + of_y, of_z].map(number);
-        Splat { center: vector([0.0; 2], depth), tangents: [0, 1].map(|of| vector(tangents[of], along[of])), ..*splat }
-    };
-    let end = records.iter().filter(|splat| splat.end);
-    let splats = records.iter().filter(|splat| !splat.end).map(replaced).collect::<Vec<_>>();
-    (uniforms, splats.iter().chain(end).copied().collect())
+        splat.center = vector([0.0; 2], depth);
+        splat.tangents = [0, 1].map(|of| vector(tangents[of], along[of]));
+    }
+    (uniforms, records)
 }
 
 #[cfg(test)]

@@ -239,7 +239,8 @@ fn camera(config: &Config, lens: Lens, Pose { turn, offset }: Pose, random: &mut
     }
 }
 
-fn between([low, high]: [f32; 2], random: &mut Rng) -> f32 {
+/// A number from the first to the last.
+pub(crate) fn between([low, high]: [f32; 2], random: &mut Rng) -> f32 {
     low + (high - low) * random.f32()
 }
 
