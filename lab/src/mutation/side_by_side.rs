@@ -151,6 +151,13 @@ impl Border {
         Self { operators: vec![], ..self.clone() }
     }
 
+    /// The same after its reset, which does not come again.
+    pub fn after_reset(&self) -> Self {
+        let mut border = self.clone();
+        border.ports.retain(|port| port.name != RESET);
+        border
+    }
+
     /// The operator whose port this is.
     fn operator(&self, port: &str) -> Option<&Operator> {
         let has = |operator: &&Operator| {

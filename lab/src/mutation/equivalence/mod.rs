@@ -15,6 +15,7 @@ use super::side_by_side::{self, Border};
 use crate::note;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::file;
+use pointcore_tb::verilated::RESET;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
@@ -73,12 +74,33 @@ pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> R
 enum Way<'a> {
     /// At its border, if that is known.
     At(Option<&'a Border>),
+    /// There, too, with one reset of the module and what is in it, which comes first: where a phase then tells when something is looked
+    /// at, all cycles of its turn become one. A reset may come at any other time; nothing depends on what registers hold then, as
+    /// tests say that begin with random values. Of a fault right before a register with a reset, here in this cell, nothing is claimed,
+    /// but of one right behind it.
+    InTurns(Option<&'a Border>, &'a str),
     /// At the registers near the mutated cell: these and those that have a reset are registers in both, all others inputs,
-    /// equal in both, and what they take next is compared. That is small in a module of any size. It shows that what
-    /// holds is as it was when it is looked at. A reset comes first and not again, for it may come at any such time;
-    /// nothing depends on what registers hold then, as tests say that begin with random values. Of a fault right before
-    /// a register with a reset nothing is claimed.
+    /// equal in both, and what they take next is compared, with one reset and in turns, too. That is small in a module of any size. It
+    /// shows that what holds is as it was when it is looked at.
     Around(&'a str),
+}
+
+impl<'a> Way<'a> {
+    /// The mutated cell, where it is asked.
+    const fn cell(self) -> Option<&'a str> {
+        match self {
+            Self::At(_) => None,
+            Self::InTurns(_, cell) | Self::Around(cell) => Some(cell),
+        }
+    }
+
+    /// Where outputs count, if that is known.
+    const fn border(self) -> Option<&'a Border> {
+        match self {
+            Self::At(border) | Self::InTurns(border, _) => border,
+            Self::Around(_) => None,
+        }
+    }
 }
 
 /// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
@@ -138,8 +160,8 @@ impl Prover<'_> {
         let mut proof = Proof::Open;
         if is_mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
             proof = self.compare(module, &open)?;
-            if let (false, Some(cell)) = (proof == Proof::Equivalent, self.cell)
-                && self.compare_as(module, &open, Way::Around(&self.name_in(name, cell)))? == Proof::Equivalent
+            if let (false, Some(cell)) = (proof == Proof::Equivalent, self.name_in(name))
+                && self.compare_as(module, &open, Way::Around(&cell))? == Proof::Equivalent
             {
                 return Ok(Proof::Equivalent);
             }
@@ -160,8 +182,16 @@ impl Prover<'_> {
     }
 
     /// What yosys calls the mutated cell in a module: around the one that is mutated, where all is one, its name ends so.
-    fn name_in(&self, module: &str, cell: &str) -> String {
-        if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") }
+    fn name_in(&self, module: &str) -> Option<String> {
+        let cell = self.cell?;
+        Some(if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") })
+    }
+
+    /// Whether a module has a reset.
+    fn has_reset(&self, module: &str) -> bool {
+        let text =
+            self.subject.verilog.split_once(&format!("module {module} ")).and_then(|(_, found)| found.split_once(");"));
+        text.is_some_and(|(head, _)| head.split(|c: char| !c.is_alphanumeric()).any(|word| word == RESET))
     }
 
     /// The border of a module as the generator knows it.
@@ -192,14 +222,22 @@ impl Prover<'_> {
     /// Compares a module of the design with its mutant, whatever the `open` ones in it do. The proof is easiest where operators are given the
     /// same at all times; where they are not, it may be that their answers do not count.
     fn compare(&self, module: &str, open: &BTreeSet<&str>) -> Result<Proof, MutationError> {
-        let border = self.border(plain(module), open);
-        let strict = border.as_ref().map(Border::without_operators);
-        let strictly = self.compare_as(module, open, Way::At(strict.as_ref()))?;
-        match border {
-            Some(border) if strictly != Proof::Equivalent && border.has_operators() => {
-                self.compare_as(module, open, Way::At(Some(&border)))
+        let tolerant = self.border(plain(module), open);
+        let strict = tolerant.as_ref().map(Border::without_operators);
+        let mut proof = self.compare_as(module, open, Way::At(strict.as_ref()))?;
+        let mut border = strict.as_ref();
+        if let Some(tolerant) =
+            tolerant.as_ref().filter(|tolerant| proof != Proof::Equivalent && tolerant.has_operators())
+        {
+            proof = self.compare_as(module, open, Way::At(Some(tolerant)))?;
+            border = Some(tolerant);
+        }
+        match self.name_in(plain(module)) {
+            Some(cell) if proof == Proof::Open && self.has_reset(plain(module)) => {
+                let border = border.map(Border::after_reset);
+                self.compare_as(module, open, Way::InTurns(border.as_ref(), &cell))
             }
-            _ => Ok(strictly),
+            _ => Ok(proof),
         }
     }
 
@@ -217,7 +255,8 @@ impl Prover<'_> {
         let each = |text: fn(&&str) -> String| open.iter().map(text).collect::<String>();
         let blackened = each(|name| format!("blackbox {name} $paramod*\\\\{name}\n"));
         let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
-        let read = format!("{library}{blackened}hierarchy -top {module}\n");
+        let read =
+            format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
         let flat = |name: &str| {
             format!(
                 "{read}memory\nflatten\n{turned}opt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
@@ -229,43 +268,51 @@ impl Prover<'_> {
             format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
         };
         let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
+        // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked, so the cell must
+        // be there, and not be before one; what a register shows changes nothing of that.
+        let faulty = way.cell().map_or(String::new(), |cell| {
+            let behind = if self.mutation.contains(" -port Q ") {
+                String::new()
+            } else {
+                format!("select -assert-none gate/c:{cell}{NEXT} @control %i\n")
+            };
+            format!(
+                "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
+                 select -assert-any gate/c:{cell}\n{behind}"
+            )
+        });
         let miter = match way {
-            Way::At(Some(_)) => format!(
+            Way::At(Some(_)) | Way::InTurns(Some(_), _) => format!(
                 "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
                 side_by_side::MODULE
             ),
-            Way::At(None) => MITER.to_owned(),
-            // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked here, so the
-            // cell must be there, and not be before one.
+            Way::At(None) | Way::InTurns(None, _) => MITER.to_owned(),
             Way::Around(cell) => format!(
-                "select -set control */i:rst %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
-                 select -assert-any gate/c:{cell}\nselect -assert-none gate/c:{cell}{NEXT} @control %i\n\
-                 select -set near gate/c:{cell}{}\n\
-                 expose -cut -dff -shared */w:* @control %d @near %d\n{MITER}",
+                "select -set near gate/c:{cell}{}\n\
+                 expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d @near %d\n{MITER}",
                 NEXT.repeat(NEAR)
             ),
         };
-        let comparison = match way {
-            Way::At(Some(border)) => border.side_by_side(),
-            _ => String::new(),
-        };
-        let mut assumed = assuming_assertions(&subject.verilog);
-        if matches!(way, Way::Around(_)) {
-            assumed = with_one_reset(&assumed, plain(module));
+        let comparison = way.border().map_or(String::new(), Border::side_by_side);
+        let mut versions = [subject.verilog.clone(), assuming_assertions(&subject.verilog)];
+        if way.cell().is_some() && self.has_reset(plain(module)) {
+            versions = versions.map(|version| with_one_reset(&version, plain(module)));
         }
+        let [mutated_version, assuming_version] = &versions;
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
         let script = format!(
             "{mutated}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
              design -copy-from gold gold\ndesign -copy-from gate gate\n\
-             {miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
+             {faulty}{miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
              dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
              write_aiger -zinit miter.aig\n"
         );
         let files = [
-            ("source.v", subject.verilog.as_str()),
-            ("assuming.v", &assumed),
+            ("source.v", mutated_version.as_str()),
+            ("assuming.v", assuming_version),
             ("library.v", &subject.others),
+            ("first_cycle.v", FIRST_CYCLE),
             ("comparison.v", comparison.as_str()),
             ("miter.ys", &script),
         ];
@@ -280,9 +327,11 @@ impl Prover<'_> {
             }
             return Ok(Proof::Open);
         }
+        // What is assumed is so after the reset.
+        let reset = if way.cell().is_some() && self.has_reset(plain(module)) { "strash; cycle -F 1; " } else { "" };
         let ask = |question: &str, limit: u32| {
             let mut command = Command::new(ABC);
-            command.args(["-c", &format!("read_aiger miter.aig; fold; strash; {question}")]).current_dir(folder);
+            command.args(["-c", &format!("read_aiger miter.aig; {reset}fold; strash; {question}")]).current_dir(folder);
             process::run(command, Duration::from_secs(limit.into()), is_answer)
         };
         // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
@@ -296,7 +345,7 @@ impl Prover<'_> {
                 ("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4", 2 * seconds)
             }
             // Registers that are not near follow from one look, but there are many.
-            Way::Around(_) => ("lcorr; scorr", 4 * seconds),
+            Way::InTurns(..) | Way::Around(_) => (IN_TURNS, 4 * seconds),
         };
         Ok(match ask(&format!("{sweep}; pdr -T {seconds}"), patience)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
@@ -315,18 +364,22 @@ fn assuming_assertions(verilog: &str) -> String {
     verilog.replace(clocked, held).replace("_word <= ~words[", "_word <= words[")
 }
 
+/// What resets a module once, as its inputs might at any time.
+const FIRST_CYCLE: &str = "module first_cycle (input clk, output first);\nreg later;\nalways @(posedge clk) later <= 1'd1;\n\
+    assign first = !later;\nendmodule\n";
+
+/// Takes cycles that follow each other in turns together, up to 24 of them: what was inverted between two looks is not there then.
+const IN_TURNS: &str =
+    "lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; phase -F 3; orpos; lcorr; scorr";
+
 /// The design with a reset in the first cycle of a module, and in no other.
 fn with_one_reset(verilog: &str, module: &str) -> String {
-    const ONE_RESET: &str =
-        "reg was_reset;\nalways @(posedge clk) was_reset <= 1'd1;\nalways @* assume (rst == !was_reset);\n";
-    let has_reset = |head: &str| head.split(|c: char| !c.is_alphanumeric()).any(|word| word == "rst");
+    const ONE_RESET: &str = "wire one_reset; first_cycle first_cycle (.clk(clk), .first(one_reset));";
     let Some((before, found)) = verilog.split_once(&format!("module {module} ")) else { return verilog.to_owned() };
-    match (found.split_once(");"), found.split_once("endmodule")) {
-        (Some((head, _)), Some((body, after))) if has_reset(head) => {
-            format!("{before}module {module} {body}{ONE_RESET}endmodule{after}")
-        }
-        _ => verilog.to_owned(),
-    }
+    let Some((head, rest)) = found.split_once(");") else { return verilog.to_owned() };
+    let Some((body, after)) = rest.split_once("endmodule") else { return verilog.to_owned() };
+    let body = body.replace("(rst)", "(one_reset)").replace("(!rst)", "(!one_reset)");
+    format!("{before}module {module} {head}); {ONE_RESET}{body}endmodule{after}")
 }
 
 /// What ABC says of a property that holds, and of one that does not.

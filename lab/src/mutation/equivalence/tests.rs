@@ -177,37 +177,47 @@ fn a_mutant_is_where_it_was_listed() {
     }
 }
 
-/// What the proof near a fault says where the output of a register is inverted, in a module inside the top or in the top itself.
-fn inverted(yosys: &Tool, text: &str, mutated: &str, wire: &str) -> Proof {
+/// A port of a cell, by what a mutation says of it.
+const SHOWN: [&str; 2] = ["-cell $procdff", "-port Q"];
+
+/// What the proofs near a fault and in turns say where a wire is inverted at a port, in a module inside the top or in the top itself.
+fn inverted(yosys: &Tool, text: &str, mutated: &str, port: [&str; 2], wire: &str) -> Proof {
     let subject = &subject(text, "", None, "top");
     let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
     let listed = Schemata::new(yosys, folder.path(), subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
-    let parts = ["-mode inv", &format!("-module {mutated} "), "-cell $procdff", "-port Q", &format!("-wire {wire}")];
+    let parts = ["-mode inv", &format!("-module {mutated} "), port[0], port[1], &format!("-wire {wire} ")];
     let is_inverted = |mutation: &&String| parts.iter().all(|part| mutation.contains(*part));
     let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
-    let cell = mutation.split(' ').find(|word| word.starts_with("$procdff")).expect("it has a cell");
+    let cell = mutation.split(' ').skip_while(|word| *word != "-cell").nth(1).expect("it has a cell");
     let modules = Modules::of(&subject.verilog);
     let prover = Prover { yosys, subject, mutation, mutated, cell: Some(cell), seconds: 10, modules };
-    let proof = prover.compare_as("top", &BTreeSet::new(), Way::Around(&prover.name_in("top", cell)));
-    proof.unwrap_or_else(|error| panic!("{error}"))
+    let name = prover.name_in("top").expect("it has a cell");
+    let [around, in_turns] = [Way::Around(&name), Way::InTurns(None, &name)]
+        .map(|way| prover.compare_as("top", &BTreeSet::new(), way).unwrap_or_else(|error| panic!("{error}")));
+    assert_eq!(around, in_turns, "{mutation}");
+    around
 }
 
 #[test]
 fn what_a_register_holds_may_be_inverted_twice() {
     let Some(yosys) = yosys() else { return };
     // It holds for four cycles, and is looked at in one of them.
-    let text = |phase: u32| {
+    let text = |reset: &str, phase: u32| {
         format!(
-            "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\n\
+            "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\nwire next = ~x;\n\
              always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
-             always @(posedge clk) if (phase == 2'd0) kept <= x;\n\
+             always @(posedge clk) {reset}if (phase == 2'd0) kept <= next;\n\
              always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
         )
     };
-    let proofs = [1, 2, 3].map(|phase| inverted(&yosys, &text(phase), "top", "kept"));
-    assert_eq!(proofs, [Proof::Different, Proof::Equivalent, Proof::Different]);
-    // What it is reset to would not be seen.
-    assert_eq!(inverted(&yosys, &text(2), "top", "phase"), Proof::Open);
+    const RESET: &str = "if (rst) kept <= 0; else ";
+    for reset in ["", RESET] {
+        let proofs = [1, 2, 3].map(|phase| inverted(&yosys, &text(reset, phase), "top", SHOWN, "kept"));
+        assert_eq!(proofs, [Proof::Different, Proof::Equivalent, Proof::Different], "{reset}");
+    }
+    // What comes before a reset would not be seen.
+    let before = ["", RESET].map(|reset| inverted(&yosys, &text(reset, 2), "top", ["-cell $not", "-port Y"], "next"));
+    assert_eq!(before, [Proof::Different, Proof::Open]);
 }
 
 #[test]
@@ -223,7 +233,7 @@ fn what_a_register_inside_holds_is_looked_at_outside() {
              always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
         )
     };
-    let proofs = [1, 2].map(|phase| inverted(&yosys, &text(phase), "inner", "kept"));
+    let proofs = [1, 2].map(|phase| inverted(&yosys, &text(phase), "inner", SHOWN, "kept"));
     assert_eq!(proofs, [Proof::Different, Proof::Equivalent]);
 }
 
