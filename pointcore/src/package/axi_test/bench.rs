@@ -15,6 +15,7 @@ const WINDOW: &str = include_str!("bench/window.sv");
 const IMAGES: &str = include_str!("bench/images.sv");
 const READ_MEMORY: &str = include_str!("bench/read_memory.sv");
 const BUFFER: &str = include_str!("bench/buffer.sv");
+const PIXELS: &str = include_str!("bench/pixels.sv");
 const RECORD_MEMORY: &str = include_str!("bench/record_memory.sv");
 const SCRIPT: &str = include_str!("bench/script.sv");
 const WINDOW_OPERATIONS: &str = include_str!("bench/window_operations.sv");
@@ -28,6 +29,31 @@ pub struct Buffer {
     pub tiles: u32,
     /// Beats of a pixel.
     pub pixel_beats: u32,
+    /// What a pixel holds.
+    pub pixel: Vec<Field>,
+    /// Ports by which the core asks for pixels, takes them and writes them.
+    pub ports: Vec<[&'static str; 3]>,
+}
+
+impl Buffer {
+    /// Looks at what passes the core's ports.
+    fn text(&self) -> String {
+        let bits: u32 = self.pixel.iter().map(|field| field.width).sum();
+        let all = |port: &str| {
+            let fields: Vec<_> = self.pixel.iter().map(|field| format!("dut.core.{port}_{}", field.name)).collect();
+            format!("{{{}}}", fields.join(", "))
+        };
+        let mut text = format!("\n    localparam PIXEL_WIDTH = {bits};\n    reg [PIXEL_WIDTH-1:0] kept [int];\n");
+        for [read, data, write] in &self.ports {
+            text += &PIXELS
+                .replace("WRITTEN", &all(write))
+                .replace("TAKEN", &all(data))
+                .replace("READ", read)
+                .replace("DATA", data)
+                .replace("WRITE", write);
+        }
+        text
+    }
 }
 
 /// What a memory of records holds when it is placed.
@@ -259,7 +285,7 @@ impl Bench<'_> {
             self.events.len(),
             self.event_bits(),
         );
-        if let Some(Buffer { tiles, pixel_beats }) = &self.buffer {
+        if let Some(Buffer { tiles, pixel_beats, .. }) = &self.buffer {
             text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
         }
         text.extend(self.records.iter().map(RecordMemory::parameters));
@@ -309,6 +335,7 @@ impl Bench<'_> {
         }
         text += &self.joints();
         text += &self.instance();
+        text.extend(self.buffer.iter().map(Buffer::text));
         let posted = if self.has_window { WINDOW_POSTED } else { "" };
         text + &SCRIPT.replace("OPERATIONS\n", &operations).replace("POSTED\n", posted)
     }

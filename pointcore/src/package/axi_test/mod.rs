@@ -106,10 +106,18 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         buffer: Some(Buffer {
             tiles: config.buffer_tiles() as u32,
             pixel_beats: stride / (config.bus.memory_bits / 8),
+            pixel: fields::<Pixel>(config),
+            ports: (0..config.memory_ports as usize).map(pixel_ports).collect(),
         }),
         records: [payloads(config), depths(config)].into_iter().flatten().collect(),
     };
     Ok(AxiTest { text: bench.text(), vectors: script.text })
+}
+
+/// By which the core asks for pixels, takes them and writes them.
+const fn pixel_ports(port: usize) -> [&'static str; 3] {
+    let ports = splat::units::top::PORTS;
+    [ports.read[port].name, ports.data[port].name, ports.write[port].name]
 }
 
 /// The memory of payloads, if there is one.
