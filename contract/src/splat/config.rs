@@ -442,10 +442,11 @@ impl Config {
         self.heap_levels + ARRIVALS_BEYOND_HEAP_BITS
     }
 
-    /// Tiles whose lists give a copy each in turn: one slot at least is left to load, and no list is empty.
+    /// Tiles whose lists give a copy each in turn: one slot at least is left to load, no list is empty, and turns wait only while
+    /// two copies wait to leave.
     #[must_use]
     pub fn turns(&self) -> u32 {
-        self.tiles_in_turn.min(self.tile_slots - 1).min(self.pointers())
+        self.tiles_in_turn.min(self.tile_slots - 1).min(self.pointers() - 2)
     }
 
     /// Splats whose payload is held at a time.
