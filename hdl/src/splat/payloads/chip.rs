@@ -83,8 +83,5 @@ pub(super) fn read(
     m.next_if(beat, advance | !last, advance.mux(none, following));
     let address = words.address(advance.mux(none, following), advance.mux(next, current));
     let shown = memory.read_if(m, "shown_word", advance | !last, address);
-    let keep = |word: u32| held(m, &format!("kept_{word}"), beat.eq_lit(word.into()), shown);
-    let mut kept: Vec<_> = (0..words.count - 1).map(keep).collect();
-    kept.push(shown);
-    kept
+    words.keep(m, !last, shown)
 }

@@ -4,7 +4,7 @@ use super::arrival::Arrival;
 use super::places::Places;
 use super::words::Words;
 use crate::stream::{fifo, fifo_distributed};
-use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, held};
+use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts};
 use crate::units::queue::Pushed;
 use crate::units::wires::layout;
 use pointcore_contract::record;
@@ -105,8 +105,5 @@ pub(super) fn read(
     m.drive(came.ready, current & (!last | room));
     let takes = m.wire("takes_word", came.valid & came.ready);
     m.next_if(beat, takes, last.mux(lit(beat.width(), 0), beat.add_lit(1)));
-    let keep = |number: u32| held(m, &format!("kept_{number}"), takes & beat.eq_lit(number.into()), word);
-    let mut kept: Vec<_> = (0..words.count - 1).map(keep).collect();
-    kept.push(word);
-    kept
+    words.keep(m, takes, word)
 }

@@ -4,8 +4,9 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Payload, PayloadWord, payload_word_bits};
 use pointcore_contract::width;
 
+use crate::units::ports::held;
 use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, address_width, cat, lit};
+use rtl::{Expr, Module, address_width, cat, lit};
 
 /// A word that is written.
 pub(super) struct WrittenWord {
@@ -54,6 +55,19 @@ impl Words {
     /// A word that has passed them.
     pub fn joined(self, config: &Config, word: PayloadWord<Wires>) -> Expr {
         cat(word.values(config).into_iter().rev())
+    }
+
+    /// The words that came last, this one at the end: those before move up when it `passes`.
+    pub fn keep(self, m: &mut Module, passes: Expr, word: Expr) -> Vec<Expr> {
+        let mut following = word;
+        let keep = |number: u32| {
+            following = held(m, &format!("kept_{number}"), passes, following);
+            following
+        };
+        let mut kept: Vec<_> = (0..self.count - 1).rev().map(keep).collect();
+        kept.reverse();
+        kept.push(word);
+        kept
     }
 
     /// Bits of a word's number.
