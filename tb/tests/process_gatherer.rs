@@ -36,7 +36,7 @@ fn configs() -> [Config; 3] {
     ]
 }
 
-/// Neighbors of queries that are near each other, and now and then of one far away.
+/// Neighbors of queries that are near each other, and now and then of one far away; between them some that take one slot by turns.
 #[derive(Clone)]
 struct Wanted {
     config: Config,
@@ -60,7 +60,9 @@ impl Wanted {
         if random.u8(..40) == 0 {
             self.center = random.u64(..self.indices);
         }
-        let index = (self.center + random.u64(..24)) % self.indices;
+        let in_slots = u64::from(self.config.cache_lines * self.config.line_points);
+        let offset = if random.u8(..24) == 0 { random.u64(..self.indices) * in_slots } else { random.u64(..24) };
+        let index = (self.center + offset) % self.indices;
         let (thread, farthest) = (random.u64(..u64::from(self.config.threads)), random.u64(..2));
         let place = vec![thread, farthest, u64::from(random.u8(..16) == 0), random.u64(..2)];
         self.open.push_back((place.clone(), index));
