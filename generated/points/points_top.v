@@ -5440,6 +5440,7 @@ module process_control (
         free_has_room: assert (~released_valid | free_in_ready);
         wants_has_room: assert (~searched_or_entering_valid | wants_in_ready);
         finds_nothing_in_final: assert (~(again_valid & found_queue_out_valid) | ~(found_queue_out_thread == again_thread));
+        a_list_ends_where_it_is_full: assert (~take_found | (found_queue_out_last | ~(found_rank == 5'd31)));
         runs_has_room: assert (~prepared_valid | runs_in_ready);
         readies_has_room: assert (~is_ready | readies_in_ready);
 `else
@@ -5451,6 +5452,9 @@ module process_control (
         end
         if (!(~(again_valid & found_queue_out_valid) | ~(found_queue_out_thread == again_thread))) begin
             $display("assertion failed: finds_nothing_in_final in %m"); $stop;
+        end
+        if (!(~take_found | (found_queue_out_last | ~(found_rank == 5'd31)))) begin
+            $display("assertion failed: a_list_ends_where_it_is_full in %m"); $stop;
         end
         if (!(~prepared_valid | runs_in_ready)) begin
             $display("assertion failed: runs_has_room in %m"); $stop;

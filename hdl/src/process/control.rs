@@ -113,6 +113,7 @@ fn take_found(
     let Found { thread, last, found, index } = found.record;
     let bits = place_bits(config);
     let rank = m.reg_reset("found_rank", bits, 0);
+    m.assert("a_list_ends_where_it_is_full", !take | (last | !rank.eq_lit(u128::from(config.neighbors) - 1)));
     m.next_if(rank, take, last.mux(lit(bits, 0), rank.add_lit(1)));
     m.write(lists.indices, take & found, address(thread.thread, rank.expr()), index);
     let complete = m.wire("complete", take & last);
