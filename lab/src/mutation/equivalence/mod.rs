@@ -62,11 +62,15 @@ impl fmt::Display for Proof {
 /// with what is in it but large memories and operators, unless that is large; then what surrounds it, likewise, which may hide
 /// the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
-    let argument = |name: &str| mutation.split(' ').skip_while(|word| *word != name).nth(1);
-    let module = argument("-module").unwrap_or(&subject.top);
+    let module = argument(mutation, "-module").unwrap_or(&subject.top);
     let text = format!("{}\n{}", subject.verilog, subject.others);
-    let (mutated, cell) = (plain(module), argument("-cell"));
+    let (mutated, cell) = (plain(module), argument(mutation, "-cell"));
     Prover { yosys, subject, mutation, mutated, cell, seconds, modules: Modules::of(&text) }.judge(module)
+}
+
+/// What follows an option of a mutation.
+fn argument<'a>(mutation: &'a str, name: &str) -> Option<&'a str> {
+    mutation.split(' ').skip_while(|word| *word != name).nth(1)
 }
 
 /// How a module is compared with its mutant.
@@ -74,40 +78,56 @@ pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> R
 enum Way<'a> {
     /// At its border, if that is known.
     At(Option<&'a Border>),
-    /// There, too, with one reset of the module and what is in it, which comes first: where a phase then tells when something is looked
-    /// at, all cycles of its turn become one. A reset may come at any other time; nothing depends on what registers hold then, as
-    /// tests say that begin with random values. Of a fault right before a register with a reset, here in this cell, nothing is claimed,
-    /// but of one right behind it.
-    InTurns(Option<&'a Border>, &'a str),
+    /// There, too, with one reset of the module and what is in it, which comes first: where a phase then tells when something is
+    /// looked at, all cycles of its turn become one. A reset may come at any other time; nothing depends on what registers hold
+    /// then, as tests say that begin with random values. Of a fault in this cell that a reset goes through nothing is claimed.
+    InTurns(Option<&'a Border>),
     /// At the registers near the mutated cell: these and those that have a reset are registers in both, all others inputs,
-    /// equal in both, and what they take next is compared, with one reset and in turns, too. That is small in a module of any size. It
-    /// shows that what holds is as it was when it is looked at.
-    Around(&'a str),
+    /// equal in both, and what they take next is compared, with one reset and in turns, too. That is small in a module of
+    /// any size. It shows that what holds is as it was when it is looked at.
+    Around(Around<'a>),
 }
 
-impl<'a> Way<'a> {
-    /// The mutated cell, where it is asked.
-    const fn cell(self) -> Option<&'a str> {
-        match self {
-            Self::At(_) => None,
-            Self::InTurns(_, cell) | Self::Around(cell) => Some(cell),
-        }
-    }
-
-    /// Where outputs count, if that is known.
-    const fn border(self) -> Option<&'a Border> {
-        match self {
-            Self::At(border) | Self::InTurns(border, _) => border,
-            Self::Around(_) => None,
-        }
+impl Way<'_> {
+    /// Whether there is one reset, where the module has any.
+    const fn has_one_reset(self) -> bool {
+        !matches!(self, Self::At(_))
     }
 }
+
+/// Near what, and how.
+#[derive(Clone, Copy)]
+struct Around<'a> {
+    /// The mutated cell.
+    cell: &'a str,
+    operators: Operators,
+    /// What it holds first, where it is a register; else zero.
+    first: Option<&'a str>,
+}
+
+/// What operators may be given.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Operators {
+    /// The same in every cycle.
+    Strict,
+    /// Something else, which they then answer to.
+    Tolerant,
+}
+
+/// What yosys calls registers.
+const REGISTER: &str = "$procdff";
 
 /// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
 const NEAR: usize = 3;
 
 /// In yosys' words, the next registers behind what is selected.
 const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
+
+/// Registers that have a reset tell the time: phases, pointers, counts.
+const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n";
+
+/// Has both versions show their registers but for these and those that are marked as near.
+const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";
 
 /// Compares all outputs in every cycle.
 const MITER: &str = "miter -equiv -flatten gold gate miter\n";
@@ -160,9 +180,7 @@ impl Prover<'_> {
         let mut proof = Proof::Open;
         if is_mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
             proof = self.compare(module, &open)?;
-            if let (false, Some(cell)) = (proof == Proof::Equivalent, self.name_in(name))
-                && self.compare_as(module, &open, Way::Around(&cell))? == Proof::Equivalent
-            {
+            if proof != Proof::Equivalent && self.is_hidden_near(module, &open)? {
                 return Ok(Proof::Equivalent);
             }
         }
@@ -182,9 +200,17 @@ impl Prover<'_> {
     }
 
     /// What yosys calls the mutated cell in a module: around the one that is mutated, where all is one, its name ends so.
-    fn name_in(&self, module: &str) -> Option<String> {
-        let cell = self.cell?;
-        Some(if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") })
+    fn name_in(&self, module: &str, cell: &str) -> String {
+        if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") }
+    }
+
+    /// Says that the mutated cell is not between a reset and a register, before it is mutated: what registers hold in a reset that
+    /// does not get to them is not asked.
+    fn no_reset_goes_through(&self) -> String {
+        let [of, cell] = [self.mutated, self.cell.unwrap_or_default()];
+        let each = |object: &str| format!("{of}/{object} $paramod*\\\\{of}/{object} %u");
+        let resets = [each("i:rst"), each("w:one_reset")].join(" ");
+        format!("select -assert-none {} {resets} %u %co*:-$dff %i\n", each(&format!("c:{cell}")))
     }
 
     /// Whether a module has a reset.
@@ -232,13 +258,29 @@ impl Prover<'_> {
             proof = self.compare_as(module, open, Way::At(Some(tolerant)))?;
             border = Some(tolerant);
         }
-        match self.name_in(plain(module)) {
-            Some(cell) if proof == Proof::Open && self.has_reset(plain(module)) => {
-                let border = border.map(Border::after_reset);
-                self.compare_as(module, open, Way::InTurns(border.as_ref(), &cell))
-            }
-            _ => Ok(proof),
+        if proof == Proof::Open && self.cell.is_some() && self.has_reset(plain(module)) {
+            proof = self.compare_as(module, open, Way::InTurns(border.map(Border::after_reset).as_ref()))?;
         }
+        Ok(proof)
+    }
+
+    /// Whether no register near the mutated cell shows a difference where it is looked at: whatever operators do, or as what they are
+    /// given says. A register that inverts a bit may begin with it the other way.
+    fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>) -> Result<bool, MutationError> {
+        let Some(cell) = self.cell.map(|cell| self.name_in(plain(module), cell)) else { return Ok(false) };
+        let bit = argument(self.mutation, "-portbit").filter(|_| cell.contains(REGISTER));
+        let one = bit.and_then(|bit| bit.parse().ok()).map(|bit: usize| format!("{}'b1{}", bit + 1, "0".repeat(bit)));
+        let around = |operators, first| Way::Around(Around { cell: &cell, operators, first });
+        let strictly = self.compare_as(module, open, around(Operators::Strict, None))?;
+        let has_operators = self.border(plain(module), open).is_some_and(|border| border.has_operators());
+        if strictly == Proof::Equivalent || !has_operators {
+            return Ok(strictly == Proof::Equivalent);
+        }
+        let proof = self.compare_as(module, open, around(Operators::Tolerant, None))?;
+        if proof == Proof::Equivalent || one.is_none() {
+            return Ok(proof == Proof::Equivalent);
+        }
+        Ok(self.compare_as(module, open, around(Operators::Tolerant, one.as_deref()))? == Proof::Equivalent)
     }
 
     /// Compares them in one way; of what yosys cannot prepare nothing is claimed.
@@ -257,78 +299,95 @@ impl Prover<'_> {
         let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
         let read =
             format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
-        let flat = |name: &str| {
+        // What operators answer is near what they are given where that may differ.
+        let flat = |name: &str, before: &str, after: &str| {
             format!(
-                "{read}memory\nflatten\n{turned}opt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
-                 rename {module} {name}\ndesign -stash {name}\n"
+                "{read}memory\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
+                 setundef -undriven -zero\nsetundef -zero\ndesign -stash {name}\n"
             )
         };
-        let [gold, gate] = side_by_side::VERSIONS.map(flat);
+        let [unreset, before, after, shown] = match way {
+            Way::At(_) => Default::default(),
+            Way::InTurns(_) => [self.no_reset_goes_through(), String::new(), String::new(), String::new()],
+            Way::Around(around) => {
+                let (marked, shown) = (around.mark(), format!("{CONTROL}{SHOWN}"));
+                match around.operators {
+                    Operators::Strict => [self.no_reset_goes_through(), String::new(), marked, shown],
+                    Operators::Tolerant => [self.no_reset_goes_through(), marked, String::new(), shown],
+                }
+            }
+        };
+        let [gold, gate] = side_by_side::VERSIONS;
+        let [gold, gate] = [flat(gold, "", ""), flat(gate, &before, &after)];
         let source = |options: &str, name: &str| {
             format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
         };
         let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
-        // Registers that have a reset tell the time: phases, pointers, counts. What they are reset to is not asked, so the cell must
-        // be there, and not be before one; what a register shows changes nothing of that.
-        let faulty = way.cell().map_or(String::new(), |cell| {
-            let behind = if self.mutation.contains(" -port Q ") {
-                String::new()
-            } else {
-                format!("select -assert-none gate/c:{cell}{NEXT} @control %i\n")
-            };
-            format!(
-                "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n\
-                 select -assert-any gate/c:{cell}\n{behind}"
-            )
-        });
-        let miter = match way {
-            Way::At(Some(_)) | Way::InTurns(Some(_), _) => format!(
-                "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
-                side_by_side::MODULE
-            ),
-            Way::At(None) | Way::InTurns(None, _) => MITER.to_owned(),
-            Way::Around(cell) => format!(
-                "select -set near gate/c:{cell}{}\n\
-                 expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d @near %d\n{MITER}",
-                NEXT.repeat(NEAR)
-            ),
-        };
-        let comparison = way.border().map_or(String::new(), Border::side_by_side);
-        let mut versions = [subject.verilog.clone(), assuming_assertions(&subject.verilog)];
-        if way.cell().is_some() && self.has_reset(plain(module)) {
-            versions = versions.map(|version| with_one_reset(&version, plain(module)));
+        let mut texts = [subject.verilog.clone(), assuming_assertions(&subject.verilog)];
+        let has_one_reset = way.has_one_reset() && self.has_reset(plain(module));
+        if has_one_reset {
+            texts = texts.map(|text| with_one_reset(&text, plain(module)));
         }
-        let [mutated_version, assuming_version] = &versions;
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
-        let script = format!(
-            "{mutated}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
+        let versions = format!(
+            "{mutated}{unreset}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
              design -copy-from gold gold\ndesign -copy-from gate gate\n\
-             {faulty}{miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
-             dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
-             write_aiger -zinit miter.aig\n"
+             {shown}tee -q -o ports portlist gold\nwrite_rtlil versions.il\n"
         );
-        let files = [
-            ("source.v", mutated_version.as_str()),
-            ("assuming.v", assuming_version),
-            ("library.v", &subject.others),
-            ("first_cycle.v", FIRST_CYCLE),
-            ("comparison.v", comparison.as_str()),
-            ("miter.ys", &script),
-        ];
-        for (name, text) in files {
+        let write = |name: &str, text: &str| {
             let path = folder.join(name);
-            fs::write(&path, text).map_err(file("write", &path))?;
-        }
-        if let Err(error) = yosys.run(top, folder, &["-q", "miter.ys"]) {
+            fs::write(&path, text).map_err(file("write", &path))
+        };
+        write("source.v", &texts[0])?;
+        write("assuming.v", &texts[1])?;
+        write("first_cycle.v", FIRST_CYCLE)?;
+        write("library.v", &subject.others)?;
+        write("versions.ys", &versions)?;
+        let prepare = |script: &str| {
+            let done = yosys.run(top, folder, &["-q", script]);
             // It may be too large for yosys' memory; nothing is claimed of it then.
-            if matches!(way, Way::At(_)) {
+            if let (Err(error), Way::At(_)) = (&done, way) {
                 note!("{mutation}: undecided, for {error}");
             }
+            done.is_ok()
+        };
+        if !prepare("versions.ys") {
+            return Ok(Proof::Open);
+        }
+        let border = match way {
+            Way::At(border) | Way::InTurns(border) => border.cloned(),
+            Way::Around(around) => {
+                let path = folder.join("ports");
+                let ports = fs::read_to_string(&path).map_err(file("read", &path))?;
+                let known = self.border(plain(module), open).unwrap_or_default().with_ports(&ports);
+                let border = if has_one_reset { known.after_reset() } else { known };
+                Some(if around.operators == Operators::Strict { border.without_operators() } else { border })
+            }
+        };
+        let miter = match &border {
+            Some(border) => {
+                write("comparison.v", &border.side_by_side())?;
+                format!(
+                    "read_verilog -formal comparison.v\nhierarchy -top {0}\nproc\nflatten\nrename {0} miter\n",
+                    side_by_side::MODULE
+                )
+            }
+            None => MITER.to_owned(),
+        };
+        write(
+            "miter.ys",
+            &format!(
+                "read_rtlil versions.il\n{miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\n\
+                 techmap\nopt_clean\ndffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
+                 zinit -all\naigmap\nopt_clean\nwrite_aiger -zinit miter.aig\n"
+            ),
+        )?;
+        if !prepare("miter.ys") {
             return Ok(Proof::Open);
         }
         // What is assumed is so after the reset.
-        let reset = if way.cell().is_some() && self.has_reset(plain(module)) { "strash; cycle -F 1; " } else { "" };
+        let reset = if has_one_reset { "strash; cycle -F 1; " } else { "" };
         let ask = |question: &str, limit: u32| {
             let mut command = Command::new(ABC);
             command.args(["-c", &format!("read_aiger miter.aig; {reset}fold; strash; {question}")]).current_dir(folder);
@@ -336,23 +395,38 @@ impl Prover<'_> {
         };
         // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
         // is enough where a difference never gets into one; what is left is small.
-        let (sweep, patience) = match way {
+        let (sweep, search, patience) = match way {
             Way::At(_) => {
                 let soon = ask(&format!("bmc3 -F {SOON} -T {seconds}"), 2 * seconds)?;
                 if matches!(soon, Verdict::Failed(text) if text.contains(REFUTED)) {
                     return Ok(Proof::Different);
                 }
-                ("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4", 2 * seconds)
+                ("lcorr; &get; &scorr -C 100; &put; scorr; scorr -F 4", seconds, 2 * seconds)
             }
-            // Registers that are not near follow from one look, but there are many.
-            Way::InTurns(..) | Way::Around(_) => (IN_TURNS, 4 * seconds),
+            Way::InTurns(_) => (IN_TURNS, seconds, 4 * seconds),
+            // Registers that are not near follow from one look, but there are many; what one holds for some cycles, from some looks.
+            Way::Around(_) => (IN_TURNS, 4 * seconds, 8 * seconds),
         };
-        Ok(match ask(&format!("{sweep}; pdr -T {seconds}"), patience)? {
+        Ok(match ask(&format!("{sweep}; pdr -T {search}"), patience)? {
             Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
             Verdict::Failed(text) if text.contains(REFUTED) => Proof::Different,
             // Without an answer it came to its end, to that of its time, or to that of the memory there is.
             Verdict::Passed | Verdict::Failed(_) | Verdict::Stuck => Proof::Open,
         })
+    }
+}
+
+impl Around<'_> {
+    /// Marks what is near. The cell must be there.
+    fn mark(self) -> String {
+        let Self { cell, first, .. } = self;
+        let first =
+            first.map_or(String::new(), |first| format!("setattr -set init {first} gate/c:{cell} %co:+$dff[Q]\n"));
+        format!(
+            "select -assert-any gate/c:{cell}\n{first}\
+             setattr -set near 1 gate/c:{cell}{}\n",
+            NEXT.repeat(NEAR)
+        )
     }
 }
 
@@ -369,8 +443,7 @@ const FIRST_CYCLE: &str = "module first_cycle (input clk, output first);\nreg la
     assign first = !later;\nendmodule\n";
 
 /// Takes cycles that follow each other in turns together, up to 24 of them: what was inverted between two looks is not there then.
-const IN_TURNS: &str =
-    "lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; phase -F 3; orpos; lcorr; scorr";
+const IN_TURNS: &str = "lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; phase -F 3; orpos; lcorr; scorr; scorr -F 4";
 
 /// The design with a reset in the first cycle of a module, and in no other.
 fn with_one_reset(verilog: &str, module: &str) -> String {

@@ -177,25 +177,42 @@ fn a_mutant_is_where_it_was_listed() {
     }
 }
 
-/// A port of a cell, by what a mutation says of it.
-const SHOWN: [&str; 2] = ["-cell $procdff", "-port Q"];
-
-/// What the proofs near a fault and in turns say where a wire is inverted at a port, in a module inside the top or in the top itself.
-fn inverted(yosys: &Tool, text: &str, mutated: &str, port: [&str; 2], wire: &str) -> Proof {
-    let subject = &subject(text, "", None, "top");
+/// The mutation of a module that has all these words.
+fn listed(yosys: &Tool, subject: &Subject, mutated: &str, words: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    let listed = Schemata::new(yosys, folder.path(), subject, 100, 1, 1).unwrap_or_else(|error| panic!("{error}"));
-    let parts = ["-mode inv", &format!("-module {mutated} "), port[0], port[1], &format!("-wire {wire} ")];
-    let is_inverted = |mutation: &&String| parts.iter().all(|part| mutation.contains(*part));
-    let mutation = listed.mutations.iter().find(is_inverted).expect("it is one of them").as_str();
-    let cell = mutation.split(' ').skip_while(|word| *word != "-cell").nth(1).expect("it has a cell");
+    let listed = Schemata::new(yosys, folder.path(), subject, 200, 1, 1).unwrap_or_else(|error| panic!("{error}"));
+    let module = format!("-module {mutated} ");
+    let is_it = |mutation: &String| mutation.contains(&module) && words.iter().all(|word| mutation.contains(word));
+    listed.mutations.into_iter().find(is_it).expect("it is one of them")
+}
+
+/// The prover of a mutation.
+fn prover<'a>(yosys: &'a Tool, subject: &'a Subject, mutated: &'a str, mutation: &'a str) -> Prover<'a> {
     let modules = Modules::of(&subject.verilog);
-    let prover = Prover { yosys, subject, mutation, mutated, cell: Some(cell), seconds: 10, modules };
-    let name = prover.name_in("top").expect("it has a cell");
-    let [around, in_turns] = [Way::Around(&name), Way::InTurns(None, &name)]
+    Prover { yosys, subject, mutation, mutated, cell: argument(mutation, "-cell"), seconds: 10, modules }
+}
+
+/// What the proofs near a fault and in turns say, in a module inside the top or in the top itself.
+fn proof_near(yosys: &Tool, text: &str, mutated: &str, words: &[&str]) -> Proof {
+    let subject = &subject(text, "", None, "top");
+    let mutation = &listed(yosys, subject, mutated, words);
+    let prover = prover(yosys, subject, mutated, mutation);
+    let cell = &prover.name_in("top", prover.cell.expect("it has a cell"));
+    let around = Around { cell, operators: Operators::Strict, first: None };
+    let [near, in_turns] = [Way::Around(around), Way::InTurns(None)]
         .map(|way| prover.compare_as("top", &BTreeSet::new(), way).unwrap_or_else(|error| panic!("{error}")));
-    assert_eq!(around, in_turns, "{mutation}");
-    around
+    assert_eq!(near, in_turns, "{mutation}");
+    near
+}
+
+/// The words of a mutation that inverts what a register shows.
+fn inverts(wire: &str) -> [&str; 4] {
+    ["-mode inv", "-cell $procdff", "-port Q", wire]
+}
+
+/// What that proof says where the output of a register is inverted.
+fn inverted(yosys: &Tool, text: &str, mutated: &str, wire: &str) -> Proof {
+    proof_near(yosys, text, mutated, &inverts(&format!("-wire {wire}")))
 }
 
 #[test]
@@ -204,20 +221,51 @@ fn what_a_register_holds_may_be_inverted_twice() {
     // It holds for four cycles, and is looked at in one of them.
     let text = |reset: &str, phase: u32| {
         format!(
-            "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\nwire next = ~x;\n\
+            "module top (input clk, input rst, input x, output reg shown);\nreg [1:0] phase;\nreg kept;\n\
              always @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
-             always @(posedge clk) {reset}if (phase == 2'd0) kept <= next;\n\
+             always @(posedge clk) {reset}if (phase == 2'd0) kept <= x;\n\
              always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
         )
     };
-    const RESET: &str = "if (rst) kept <= 0; else ";
-    for reset in ["", RESET] {
-        let proofs = [1, 2, 3].map(|phase| inverted(&yosys, &text(reset, phase), "top", SHOWN, "kept"));
+    for reset in ["", "if (rst) kept <= 0; else "] {
+        let proofs = [1, 2, 3].map(|phase| inverted(&yosys, &text(reset, phase), "top", "kept"));
         assert_eq!(proofs, [Proof::Different, Proof::Equivalent, Proof::Different], "{reset}");
     }
-    // What comes before a reset would not be seen.
-    let before = ["", RESET].map(|reset| inverted(&yosys, &text(reset, 2), "top", ["-cell $not", "-port Y"], "next"));
-    assert_eq!(before, [Proof::Different, Proof::Open]);
+    // What a register holds after a reset is known where the reset gets to it.
+    assert_eq!(inverted(&yosys, &text("", 2), "top", "phase"), Proof::Different);
+    let unset = ["-mode const0", "-cell $procmux", "-port S", "-wire rst"];
+    assert_eq!(proof_near(&yosys, &text("", 2), "top", &unset), Proof::Open);
+}
+
+#[test]
+fn what_an_operator_is_given_out_of_turn_may_be_inverted() {
+    let Some(yosys) = yosys() else { return };
+    let operator = "module float_neg_s1_f8(input clk, input enable, input [1:0] a, output reg [1:0] y);\n\
+        always @(posedge clk) if (enable) y <= ~a;\nendmodule\n";
+    let interfaces = vec![
+        interface("float_neg_s1_f8", &[("clk", 1, In), ("enable", 1, In), ("a", 2, In), ("y", 2, Out)], Vec::new()),
+        interface("top", &[("clk", 1, In), ("rst", 1, In), ("x", 2, In), ("z", 2, Out)], Vec::new()),
+    ];
+    let is_hidden = |loaded: u32, taken: u32| {
+        let top = format!(
+            "module top (input clk, input rst, input [1:0] x, output reg [1:0] z);\nreg [1:0] phase, kept;\n\
+             wire [1:0] y;\nalways @(posedge clk) if (rst) phase <= 0; else phase <= phase + 2'd1;\n\
+             always @(posedge clk) if (phase == 2'd{loaded}) kept <= x;\n\
+             float_neg_s1_f8 negation (\n.clk(clk), .enable(1'd1), .a(kept), .y(y));\n\
+             always @(posedge clk) if (phase == 2'd{taken}) z <= y;\nendmodule\n"
+        );
+        let text = format!("{operator}{top}");
+        let subject = &Subject { interfaces: interfaces.clone(), ..subject(&text, "", None, "top") };
+        let mutation = &listed(&yosys, subject, "top", &inverts("-wire kept "));
+        let prover = prover(&yosys, subject, "top", mutation);
+        let hidden = prover.is_hidden_near("top", &BTreeSet::from(["float_neg_s1_f8"]));
+        hidden.unwrap_or_else(|error| panic!("{error}"))
+    };
+    // The operator takes a cycle. Loaded in the second phase, what it holds before that has to begin the other way.
+    assert_eq!(
+        [(0, 3), (0, 0), (1, 2), (1, 1)].map(|(loaded, taken)| is_hidden(loaded, taken)),
+        [true, false, true, false]
+    );
 }
 
 #[test]
@@ -233,7 +281,7 @@ fn what_a_register_inside_holds_is_looked_at_outside() {
              always @(posedge clk) if (phase == 2'd{phase}) shown <= kept;\nendmodule\n"
         )
     };
-    let proofs = [1, 2].map(|phase| inverted(&yosys, &text(phase), "inner", SHOWN, "kept"));
+    let proofs = [1, 2].map(|phase| inverted(&yosys, &text(phase), "inner", "kept"));
     assert_eq!(proofs, [Proof::Different, Proof::Equivalent]);
 }
 
