@@ -34,12 +34,22 @@ fn record<R: Received>(config: &R::Config, random: &mut fastrand::Rng) -> R {
     read(config, &values)
 }
 
+/// What a packet holds where it holds no field is noise.
+fn fill_with_noise(packet: &mut [(Vec<u8>, bool)], fields: &[(Vec<u8>, bool)], random: &mut fastrand::Rng) {
+    for ((beat, _), (holds, _)) in packet.iter_mut().zip(fields) {
+        beat.iter_mut().zip(holds).for_each(|(byte, holds)| *byte |= random.u8(..) & !holds);
+    }
+}
+
 /// The beats of many packets, some of a wrong length.
 fn beats<R: Received>(config: &R::Config, stream_bits: u32, random: &mut fastrand::Rng) -> Vec<(Vec<u8>, bool)> {
     let sender = PacketOut::<R>::new(config, stream_bits);
+    let ones: Vec<u64> = fields::<R>(config).iter().map(|field| u64::MAX >> (64 - field.width)).collect();
+    let ones = sender.beats(read(config, &ones));
     let mut all = vec![];
     for _ in 0..PACKETS {
         let mut packet = sender.beats(record(config, random));
+        fill_with_noise(&mut packet, &ones, random);
         let whole = packet.len();
         match random.u8(..8) {
             0 => packet.truncate(random.usize(1..=whole)),
