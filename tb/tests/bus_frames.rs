@@ -3,7 +3,7 @@
 use pointcore_contract::bus::units::FRAMES_MAX;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::fields;
-use pointcore_contract::splat::records::{UniformWrite, Uniforms, late_uniforms};
+use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, late_uniforms};
 use pointcore_golden::bus::{Frames, FramesIn};
 use pointcore_hdl::bus::frames;
 use pointcore_tb::lockstep::seeds;
@@ -11,6 +11,8 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::{Bench, SEEDS};
 
 const CYCLES: u32 = 60_000;
+/// Addresses of uniforms, more than there are.
+const ADDRESSES: u8 = 1 << UNIFORM_ADDRESS_BITS;
 
 /// A host that asks for frames ahead, and a core that takes its time.
 struct World {
@@ -22,7 +24,7 @@ struct World {
     to_send: u32,
     /// Uniforms that were never written hold anything.
     unwritten: u8,
-    /// What was last written, by address.
+    /// What was last written, by address, at which there need not be a uniform.
     written: Vec<u32>,
 }
 
@@ -34,12 +36,11 @@ impl World {
         let start = !self.waiting && !is_first && self.random.u8(..50) == 0;
         let writes = !self.waiting && (is_first || self.random.u8(..20) == 0);
         let write = writes.then(|| {
-            let addresses = fields::<Uniforms>(config).len() as u8;
             self.unwritten = self.unwritten.saturating_sub(1);
             let late = late_uniforms(config);
             let any = match self.random.bool() {
                 true => late[self.random.usize(..late.len())] as u8,
-                false => self.random.u8(..addresses),
+                false => self.random.u8(..ADDRESSES),
             };
             let address = if is_first { self.unwritten } else { any };
             // What the uniform holds, which changes nothing; the same but for a bit; or anything.
@@ -66,7 +67,7 @@ fn exchange(config: &Config, seed: u64) {
     let mut model = Frames::new(config);
     let unwritten = fields::<Uniforms>(config).len() as u8;
     let random = fastrand::Rng::with_seed(seed);
-    let written = vec![0; unwritten.into()];
+    let written = vec![0; ADDRESSES.into()];
     let mut world = World { random, waiting: false, to_set_up: 0, to_send: 0, unwritten, written };
     let (mut begun, mut most) = (0, 0);
     for _ in 0..CYCLES {

@@ -85,8 +85,10 @@ impl Frames {
         self.setting_up = begins || (self.setting_up && !inputs.set_up);
         self.under_way = self.under_way + u32::from(begins) - u32::from(inputs.sent);
         self.late_changes &= !begins;
-        if let Some(UniformWrite { address, data }) = inputs.write {
-            let value = &mut self.values[usize::from(address)];
+        // Where there is no uniform, nothing is written.
+        if let Some(UniformWrite { address, data }) = inputs.write
+            && let Some(value) = self.values.get_mut(usize::from(address))
+        {
             let changed = |&(place, mask): &(usize, u32)| place == usize::from(address) && (*value ^ data) & mask != 0;
             self.late_changes |= self.late.iter().any(changed);
             *value = data;
