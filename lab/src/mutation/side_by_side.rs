@@ -15,6 +15,9 @@ const OPERATORS: [&str; 2] = ["float_", "integer_"];
 const ENABLE: &str = "enable";
 const RESULT: &str = "y";
 
+/// What the names of an AMBA channel's ports begin with, behind the bus's; the rest follows at once, as in `m_axi_awvalid`.
+const CHANNELS: [&str; 6] = ["_aw", "_w", "_b", "_ar", "_r", "_t"];
+
 /// What goes in and out of a module, and of modules that were taken out of it: what they put out comes in then.
 #[derive(Clone, Debug, Default)]
 pub struct Border {
@@ -81,9 +84,29 @@ impl From<&StreamDeclaration> for Stream {
     }
 }
 
+impl Stream {
+    /// The channels of AMBA buses among ports: streams that no interface declares as such.
+    fn channels(ports: &[Port]) -> impl Iterator<Item = Self> {
+        ports.iter().filter_map(|flag| {
+            let channel = flag.name.strip_suffix("valid")?;
+            let ready = format!("{channel}ready");
+            let is_channel = CHANNELS.iter().any(|ending| channel.ends_with(ending));
+            let is_field = |port: &&Port| port.direction == flag.direction && port.name != flag.name;
+            let of_channel = ports.iter().filter(is_field).filter(|port| port.name.starts_with(channel));
+            let fields = of_channel.map(|port| port.name.clone()).collect();
+            (is_channel && ports.iter().any(|port| port.name == ready)).then(|| Self {
+                direction: flag.direction,
+                flag: flag.name.clone(),
+                ready: Some(ready.clone()),
+                fields,
+            })
+        })
+    }
+}
+
 impl From<&ModuleInterface> for Border {
     fn from(interface: &ModuleInterface) -> Self {
-        let streams = interface.streams.iter().map(Stream::from).collect();
+        let streams = interface.streams.iter().map(Stream::from).chain(Stream::channels(&interface.ports)).collect();
         Self { ports: interface.ports.clone(), streams, operator: Operator::of(interface), operators: vec![] }
     }
 }
@@ -310,6 +333,22 @@ mod tests {
         );
         assert!(text.contains("waits_0 <= in_valid && !gold_in_ready && !rst;"), "{text}");
         assert!(text.contains("assume (!waits_0 || {in_valid, in_x} == item_0);"), "{text}");
+    }
+
+    #[test]
+    fn channels_of_buses_are_streams() {
+        let port = |name: &str, direction| Port { name: name.into(), width: 8, direction };
+        let (out, back) = (Direction::Output, Direction::Input);
+        let address = [("m_axi_awvalid", out), ("m_axi_awready", back), ("m_axi_awaddr", out)];
+        let data = [("m_axi_wvalid", out), ("m_axi_wready", back), ("m_axi_wdata_0", out), ("m_axi_wdata_1", out)];
+        let others = [("is_valid", out), ("is_ready", back), ("is_wide", out)];
+        let ports = address.into_iter().chain(data).chain(others).map(|(name, direction)| port(name, direction));
+        let bus = ModuleInterface { name: "bus_writer".into(), ports: ports.collect(), streams: vec![] };
+        let text = Border::from(&bus).side_by_side();
+        for counts in ["awvalid && gold_m_axi_awaddr", "wvalid && gold_m_axi_wdata_0", "wvalid && gold_m_axi_wdata_1"] {
+            assert!(text.contains(&format!("(gold_m_axi_{counts} != ")), "{counts}: {text}");
+        }
+        assert!(text.contains("(gold_is_wide != gate_is_wide)"), "{text}");
     }
 
     #[test]
