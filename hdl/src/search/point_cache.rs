@@ -14,7 +14,7 @@ use super::parts::sets::{contains, decode};
 use crate::stream::skid;
 use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts};
 use crate::units::wires::{Bundle, Wires, layout};
-use rtl::{Expr, Memory, Module, Reg, cat, lit};
+use rtl::{Expr, Memory, Module, Reg, bit, cat, lit};
 
 /// A request with its leaf's slot.
 #[record(config: Config)]
@@ -49,6 +49,11 @@ fn slot_of(config: &Config, address: Expr) -> Expr {
 /// Beats of a slot: those of the largest leaf, and then as many as make a power of two.
 const fn slot_beats(config: &Config) -> u32 {
     config.bucket.div_ceil(config.lanes).next_power_of_two()
+}
+
+/// Whether a beat is its leaf's last one, where not every one is.
+fn is_last(config: &Config, last: Expr) -> Expr {
+    if slot_beats(config) == 1 { bit(true) } else { last }
 }
 
 /// Where a beat of a slot is in the memory of points.
@@ -115,7 +120,7 @@ impl Fill {
         let slots = config.point_cache;
         let Self { ref head, under_way, slot, count, kept_before } = *self;
         let Beat { place, points: item } = head.record.beat;
-        let BeatPlace { last, address, .. } = place;
+        let (last, address) = (is_last(config, place.last), place.address);
         m.drive(head.ready, take);
         let taken = m.wire("fill_taken", head.transfer());
         m.next_if(under_way, taken, !last);
@@ -171,7 +176,7 @@ pub fn module(config: &Config) -> Module {
 
     // Beats of the leaf that is read, or of the one that comes.
     let run_count = m.reg_reset("run_count", config.beats_bits(), 0);
-    let run_last = m.wire("run_last", run_count.add_lit(1).eq(run.request.fetch.beats));
+    let run_last = m.wire("run_last", is_last(config, run_count.add_lit(1).eq(run.request.fetch.beats)));
     let step = m.wire("run_step", advance_r & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
     m.next(run.valid, hits | (run.valid & !(step & run_last)));
