@@ -112,8 +112,9 @@ impl Deliveries {
         let known = Known { number: answer.number, last, found: count.any(), cached: answer.cached };
         let Known { number, last, found, cached } = known.register(m, config, "d1_", reads);
         let neighbor = from.neighbor(m, config, reads, answer.entry, *rank);
-        let Neighbor { index, distance2 } = Neighbor::choose(config, found, neighbor, Neighbor::zeros(config));
+        let neighbor = Neighbor::choose(config, found, neighbor, Neighbor::zeros(config));
         let sends = d1_valid & result.room;
+        let (index, distance2) = (neighbor.index, neighbor.squared_distance());
         let next = QueryResult { number, last, found, index, distance2 };
         result.push(m, config, sends, CachedResult { result: next, cached });
         Chosen { valid: releases, entry: answer.entry }

@@ -16,12 +16,13 @@ use pointcore_contract::search::units::queue::PORTS;
 use pointcore_contract::{record, width};
 
 use super::parts::head_queue::HeadQueue;
+use super::parts::neighbor::{with_sign, without_sign};
 use super::parts::radii::radii_now;
 use super::parts::sets::{contains, decode, set};
 use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts};
 use crate::units::wires::{Bundle, Wires};
 use readout::{Readout, Rows, Whose};
-use row::{Entry, entries, initial, insert, row, row_bits, sentinels};
+use row::{Entry, entries, initial, insert, placeholders, row, row_bits, sentinels};
 use rtl::{Expr, Module, Reg, Wire, bit};
 use tokens::{Beat, Choice, Insertion, Item, near_lanes};
 
@@ -37,11 +38,12 @@ struct KeptQuery {
     /// Neighbors wanted.
     #[bits(config.rank_bits())]
     k: u8,
-    /// Squared radius within which neighbors count.
-    #[bits(config.geometry.width())]
+    /// Squared radius within which neighbors count, but for its sign.
+    #[bits(config.geometry.width() - 1)]
     radius2: u32,
-    /// The entries that stay empty in its row, a bit each.
-    #[bits(config.neighbors)]
+    /// The entries that stay empty in its row, a bit each but for the last.
+    #[when(config.neighbors > 1)]
+    #[bits(config.neighbors - 1)]
     sentinels: u64,
 }
 
@@ -50,7 +52,7 @@ fn queries(m: &mut Module, config: &Config, start: &Pulse<Start<Wires>>, thread:
     let memory = m.memory("queries", 1 << config.thread_bits(), width::<KeptQuery>(config));
     let Start { thread: starting, query } = start.record;
     let sentinels = sentinels(config, query.k);
-    let kept = KeptQuery { number: query.number, k: query.k, radius2: query.radius2, sentinels };
+    let kept = KeptQuery { number: query.number, k: query.k, radius2: without_sign(query.radius2), sentinels };
     m.write(memory, start.valid, starting.thread, kept.pack(config));
     let word = m.read(memory, "query", thread);
     KeptQuery::unpack(config, word)
@@ -89,7 +91,7 @@ impl Working {
 /// The working row after the insertion at work.
 struct Inserted {
     row: Expr,
-    /// The distance of its last neighbor.
+    /// The distance of its last neighbor, but for the sign.
     farthest: Expr,
     /// What the other units are told.
     radius: Pulse<Radius<Wires>>,
@@ -97,7 +99,7 @@ struct Inserted {
 
 /// The farthest neighbor of the row that was the working row a cycle ago.
 struct Farthest {
-    distance: Reg,
+    distance: Expr,
     thread: Reg,
     /// It still is the working row.
     is_current: Expr,
@@ -109,8 +111,9 @@ struct Fetch {
     waits: Expr,
     moves: Expr,
     reads: Expr,
-    /// A thread's row, its query, and the row of a query that has met no point.
-    stored: Expr,
+    /// A thread's row, where there are several threads: that of one alone is nowhere but at work. Its query, and the row of a
+    /// query that has met no point.
+    stored: Option<Expr>,
     query: KeptQuery<Wires>,
     initial: Expr,
 }
@@ -155,7 +158,7 @@ impl Stages<'_> {
         let is_farthest = farthest.thread.eq(candidates.place.thread.thread);
         let will_be_known = farthest.is_current & (is_farthest & !take_reads);
         let will_be_known = m.wire("farthest_will_be_known", will_be_known);
-        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, *farthest.distance)])
+        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, farthest.distance)])
     }
 
     /// b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
@@ -171,7 +174,7 @@ impl Stages<'_> {
         let thread = self.thread();
         let choice = Choice::new(m, config, beat);
         let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
-        let near = near_lanes(config, &beat.record, &[(is_known, *farthest.distance)]);
+        let near = near_lanes(config, &beat.record, &[(is_known, farthest.distance)]);
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
         m.next(item.valid, fetch.moves);
         m.next(item.reads, fetch.reads);
@@ -191,15 +194,19 @@ impl Stages<'_> {
     fn compare(&self, m: &mut Module, candidate: Entry<Wires>, fetch: &Fetch, inserted: &Inserted) {
         let Self { config, working, item, insertion, .. } = self;
         let is_nearer = |entry: &Entry<Wires>| candidate.neighbor.distance2.lt(entry.neighbor.distance2);
-        let [nearer, nearer_stored] = [working.row.expr(), fetch.stored]
-            .map(|row| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>());
+        let are_nearer = |row: Expr| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>();
+        let nearer = are_nearer(*working.row);
         let nearer_now =
             insert(&nearer, *insertion.nearer, &is_nearer(&insertion.entry), |here, a, b| here.mux(*a, *b));
-        let nearer_read = item.fresh.mux(!fetch.query.sentinels, set(&nearer_stored));
+        let nearer_stored = fetch.stored.map(|row| set(&are_nearer(row)));
+        let read = |initial: Expr, stored: Option<Expr>| match stored {
+            Some(stored) => item.fresh.mux(initial, stored),
+            None => initial,
+        };
+        let nearer_read = read(placeholders(config, fetch.query.sentinels), nearer_stored);
         let nearer = m.wire("nearer_entries", item.reads.mux(nearer_read, set(&nearer_now)));
         insertion.take(m, config, item, nearer, candidate);
-        let read_row = item.fresh.mux(fetch.initial, fetch.stored);
-        m.next(working.row, item.reads.mux(read_row, inserted.row));
+        m.next(working.row, item.reads.mux(read(fetch.initial, fetch.stored), inserted.row));
         m.next_if(working.owner, item.valid, item.thread);
         m.next(working.owned, working.owned | item.valid);
     }
@@ -212,7 +219,7 @@ impl Stages<'_> {
         let inserted = insert(&working_entries, *insertion.nearer, &*insertion.entry, choose);
         let row = m.wire("inserted_row", row(config, &inserted));
         let farthest = inserted[inserted.len() - 1].neighbor.distance2;
-        let radius = Radius { thread: Thread { thread: *insertion.thread }, radius2: farthest };
+        let radius = Radius { thread: Thread { thread: *insertion.thread }, radius2: with_sign(farthest) };
         let radius = PORTS.radius.registered(m, config, insertion.last, radius);
         PORTS.events.event(m, config, |events| events.insert, insertion.nearer.msb());
         Inserted { row, farthest, radius }
@@ -221,17 +228,18 @@ impl Stages<'_> {
     /// e: what is farthest after it.
     fn farthest(&self, m: &mut Module, inserted: &Inserted) -> Farthest {
         let Self { config, working, beat, item, .. } = self;
-        let distance = m.reg("farthest", config.geometry.width());
+        let distance = m.reg("farthest", inserted.farthest.width());
         let thread = m.reg("farthest_thread", config.thread_bits());
         let valid = m.reg_reset("farthest_valid", 1, 0);
         m.next(distance, inserted.farthest);
         m.next(thread, working.owner);
         m.next(valid, working.owned & !item.reads);
         let is_current = m.wire("farthest_is_current", valid & !(beat.reads | item.reads));
-        Farthest { distance, thread, is_current }
+        Farthest { distance: with_sign(*distance), thread, is_current }
     }
 
-    /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both.
+    /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both; of one thread alone
+    /// there are never both.
     fn fetch(
         &self,
         m: &mut Module,
@@ -241,14 +249,17 @@ impl Stages<'_> {
         inserted: &Inserted,
     ) -> Fetch {
         let Self { config, working, beat, item, .. } = self;
-        let waits = m.wire("waits", beat.reads & readout.reads);
+        let has_others = config.threads > 1;
+        let waits = m.wire("waits", if has_others { beat.reads & readout.reads } else { bit(false) });
         let moves = m.wire("moves", beat.valid & !waits);
         let reads = m.wire("reads", moves & beat.reads);
         let read_thread = m.wire("read_thread", readout.reads.mux(finished, self.thread()));
-        let rows = m.memory("rows", 1 << config.thread_bits(), row_bits(config));
-        let write_back = m.wire("write_back", item.reads & working.owned);
-        m.write(rows, write_back, working.owner, inserted.row);
-        let stored = m.read(rows, "stored", read_thread);
+        let stored = has_others.then(|| {
+            let rows = m.memory("rows", 1 << config.thread_bits(), row_bits(config));
+            let write_back = m.wire("write_back", item.reads & working.owned);
+            m.write(rows, write_back, working.owner, inserted.row);
+            m.read(rows, "stored", read_thread)
+        });
         let query = queries(m, config, start, read_thread);
         let initial = m.wire("initial_row", initial(config, query.sentinels, query.radius2));
         Fetch { waits, moves, reads, stored, query, initial }

@@ -6,6 +6,7 @@ use pointcore_contract::search::units::queue::PORTS;
 
 use super::KeptQuery;
 use super::row::{Entry, entries, row_bits};
+use crate::search::parts::neighbor::with_sign;
 use crate::search::parts::sets::contains;
 use crate::units::ports::{Flow, PulseOutPorts, StreamOutPorts};
 use crate::units::wires::Wires;
@@ -37,7 +38,7 @@ pub(super) struct Whose {
 pub(super) struct Rows {
     pub initial: Expr,
     pub working: Expr,
-    pub stored: Expr,
+    pub stored: Option<Expr>,
 }
 
 impl Readout {
@@ -68,7 +69,8 @@ impl Readout {
     /// Fetches the row from where it is and sends it.
     pub fn send(self, m: &mut Module, config: &Config, rows: &Rows, query: &KeptQuery<Wires>) {
         let Self { starts, fetching, sending, idle, from_working, from_nothing, thread, .. } = self;
-        let fetched = from_nothing.mux(rows.initial, from_working.mux(rows.working, rows.stored));
+        let kept = rows.stored.map_or(rows.working, |stored| from_working.mux(rows.working, stored));
+        let fetched = from_nothing.mux(rows.initial, kept);
         let row = m.reg("sent_row", row_bits(config));
         m.next_if(row, fetching, fetched);
         let number = m.reg("sent_number", config.index_bits);
@@ -95,7 +97,7 @@ impl Readout {
             last,
             found: at(*position, |entry| entry.found),
             index: at(*position, |entry| entry.neighbor.index),
-            distance2: at(*position, |entry| entry.neighbor.distance2),
+            distance2: with_sign(at(*position, |entry| entry.neighbor.distance2)),
         };
         let ready = PORTS.result.drive(m, config, sending, result);
         m.drive(transfer, sending & ready);

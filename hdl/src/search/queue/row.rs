@@ -6,7 +6,7 @@ use pointcore_contract::{record, width};
 use crate::search::parts::neighbor::Neighbor;
 use crate::search::parts::sets::set;
 use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, cat, lit};
+use rtl::{Expr, bit, cat, lit};
 
 /// A neighbor in a row.
 #[record(config: Config)]
@@ -34,18 +34,27 @@ pub(super) fn row(config: &Config, entries: &[Entry<Wires>]) -> Expr {
     cat(entries.iter().rev().map(|entry| entry.pack(config)))
 }
 
-/// The entries that stay empty in a row for `k` neighbors, a bit each.
+/// The entries that stay empty in a row for `k` neighbors, a bit each but for the last entry: one neighbor is always wanted.
 pub(super) fn sentinels(config: &Config, k: Expr) -> Expr {
-    set(&(0..config.neighbors).map(|number| k.lt_lit((config.neighbors - number).into())).collect::<Vec<_>>())
+    let bits = (1..config.neighbors).rev().map(|behind| k.lt_lit(u128::from(behind) + 1)).collect::<Vec<_>>();
+    if bits.is_empty() { Expr::default() } else { set(&bits) }
+}
+
+/// The others of a row's entries, a bit each.
+pub(super) fn placeholders(config: &Config, sentinels: Expr) -> Expr {
+    if config.neighbors == 1 { bit(true) } else { cat([bit(true), !sentinels]) }
 }
 
 /// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
-/// radius.
+/// radius, of which the sign is left out.
 pub(super) fn initial(config: &Config, sentinels: Expr, radius2: Expr) -> Expr {
     let nothing = Entry::<Wires>::zeros(config);
     let entry = |number: u32| {
         let mut entry = nothing;
-        entry.neighbor.distance2 = sentinels.bit(number).mux(lit(radius2.width(), 0), radius2);
+        entry.neighbor.distance2 = match number + 1 == config.neighbors {
+            true => radius2,
+            false => sentinels.bit(number).mux(lit(radius2.width(), 0), radius2),
+        };
         entry
     };
     row(config, &(0..config.neighbors).map(entry).collect::<Vec<_>>())
