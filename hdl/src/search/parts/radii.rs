@@ -47,7 +47,8 @@ pub(crate) fn radii_now(m: &mut Module, config: &Config, writers: [Writer; 2], t
             let radius = m.read_now(memory, &format!("{name}_radius2"), thread);
             (radius, m.wire(&format!("{name}_set"), decode(writer.valid, writer.thread, threads)))
         });
-    let from_leaf = m.reg_reset("from_leaf", threads, 0);
+    // Not reset: a thread's first query sets it.
+    let from_leaf = m.reg("from_leaf", threads);
     m.next(from_leaf, (from_leaf & !query_set) | leaf_set);
     contains(from_leaf, thread).mux(by_leaf, by_query)
 }
