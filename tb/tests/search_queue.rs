@@ -21,7 +21,7 @@ struct Search {
     distances: Vec<f32>,
 }
 
-/// Threads that search a few leaves each, whose beats follow each other.
+/// Threads that search a few leaves each, or none, whose beats follow each other.
 #[derive(Clone)]
 struct Searches {
     config: Config,
@@ -38,7 +38,7 @@ impl Searches {
             self.queries_left -= 1;
             let beyond = feeds.random.u64(..1 << self.config.index_bits) / NUMBERED * NUMBERED;
             let start = start(&self.config, thread, beyond + self.queries_left, &mut feeds.random);
-            let leaves_left = feeds.random.u32(1..5);
+            let leaves_left = feeds.random.u32(..5);
             let radius2 = number(&self.config, start[3]);
             self.threads[thread as usize] =
                 Search { number: (start[1] % NUMBERED) as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
@@ -67,9 +67,8 @@ impl Rule for Searches {
 
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
-            "start" => self.leaf(feeds, fields[0]),
-            "radius" if self.threads[fields[0] as usize].leaves_left > 0 => self.leaf(feeds, fields[0]),
-            "radius" => {
+            "start" | "radius" if self.threads[fields[0] as usize].leaves_left > 0 => self.leaf(feeds, fields[0]),
+            "start" | "radius" => {
                 let search = &self.threads[fields[0] as usize];
                 let mut near = search.distances.clone();
                 near.retain(|&distance2| distance2 < search.radius2);
