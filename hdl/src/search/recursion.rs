@@ -6,6 +6,7 @@ use pointcore_contract::search::records::{Descent, Thread};
 use pointcore_contract::search::units::recursion::PORTS;
 
 use super::parts::radii::radii;
+use super::parts::sets::{contains, decode};
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::Bundle;
 use rtl::Module;
@@ -30,6 +31,10 @@ pub fn module(config: &Config) -> Module {
     PORTS.pop.drive(&mut m, config, advance & r0_valid, Thread { thread: *r0_thread });
     m.next_if(r1_valid, advance, r0_valid);
     m.next_if(r1_thread, advance, r0_thread);
+
+    let begun = m.reg_reset("begun", config.threads, 0);
+    m.next(begun, begun | decode(start.valid, start.record.thread.thread, config.threads));
+    m.assert("a_query_begins_before_its_thread_pops", !r0_valid | contains(begun, r0_thread));
 
     // The path comes late in its cycle, from the memory of the stacks.
     m.next_if(r2_valid, advance, r1_valid);
