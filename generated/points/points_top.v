@@ -6546,7 +6546,7 @@ module search_queue (
     reg [1:0] arrivals_count;
     reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [3:0] owner;
-    reg [1823:0] working;
+    reg [1791:0] working;
     reg [15:0] fresh;
     reg beat_valid, beat_reads;
     reg [3:0] beat_pending;
@@ -6561,21 +6561,21 @@ module search_queue (
     reg [3:0] item_thread;
     reg item_fresh;
     reg [23:0] new_index;  // The point's place in the point memory.
-    reg [31:0] new_distance2;  // Its squared distance.
+    reg [30:0] new_distance2;  // Its squared distance, but for the sign, which no square has.
     reg [31:0] nearer;
     reg new_last;
     reg [3:0] new_thread;
-    reg [31:0] farthest;
+    reg [30:0] farthest;
     reg [3:0] farthest_thread;
     reg farthest_valid, fetching, sending, readout_idle;
     reg [3:0] readout_thread;
     reg fetch_from_working, fetch_from_nothing;
-    wire [1823:0] stored;
-    wire [93:0] query;
+    wire [1791:0] stored;
+    wire [91:0] query;
     reg [23:0] item_index;  // The point's place in the point memory.
-    reg [31:0] item_distance2;  // Its squared distance.
+    reg [30:0] item_distance2;  // Its squared distance, but for the sign, which no square has.
     reg [15:0] from_leaf;
-    reg [1823:0] sent_row;
+    reg [1791:0] sent_row;
     reg [23:0] sent_number;
     reg [5:0] position;
 
@@ -6583,164 +6583,165 @@ module search_queue (
     wire [3:0] finish_queue_out_data;
 
     wire [5:0] next_position = position + 6'd1;
-    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
-    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
-    wire last_result_choice_3 = next_position[1] ? (next_position[0] ? sent_row[1367] : sent_row[1310]) : next_position[0] ? sent_row[1253] : sent_row[1196];
-    wire last_result_choice_4 = next_position[1] ? (next_position[0] ? sent_row[1139] : sent_row[1082]) : next_position[0] ? sent_row[1025] : sent_row[968];
+    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1791] : sent_row[1735]) : next_position[0] ? sent_row[1679] : sent_row[1623];
+    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1567] : sent_row[1511]) : next_position[0] ? sent_row[1455] : sent_row[1399];
+    wire last_result_choice_3 = next_position[1] ? (next_position[0] ? sent_row[1343] : sent_row[1287]) : next_position[0] ? sent_row[1231] : sent_row[1175];
+    wire last_result_choice_4 = next_position[1] ? (next_position[0] ? sent_row[1119] : sent_row[1063]) : next_position[0] ? sent_row[1007] : sent_row[951];
     wire last_result_choice_5 = next_position[3] ? (next_position[2] ? last_result_choice : last_result_choice_2) : next_position[2] ? last_result_choice_3 : last_result_choice_4;
-    wire last_result_choice_6 = next_position[1] ? (next_position[0] ? sent_row[911] : sent_row[854]) : next_position[0] ? sent_row[797] : sent_row[740];
-    wire last_result_choice_7 = next_position[1] ? (next_position[0] ? sent_row[683] : sent_row[626]) : next_position[0] ? sent_row[569] : sent_row[512];
-    wire last_result_choice_8 = next_position[1] ? (next_position[0] ? sent_row[455] : sent_row[398]) : next_position[0] ? sent_row[341] : sent_row[284];
-    wire last_result_choice_9 = next_position[1] ? (next_position[0] ? sent_row[227] : sent_row[170]) : next_position[0] ? sent_row[113] : sent_row[56];
+    wire last_result_choice_6 = next_position[1] ? (next_position[0] ? sent_row[895] : sent_row[839]) : next_position[0] ? sent_row[783] : sent_row[727];
+    wire last_result_choice_7 = next_position[1] ? (next_position[0] ? sent_row[671] : sent_row[615]) : next_position[0] ? sent_row[559] : sent_row[503];
+    wire last_result_choice_8 = next_position[1] ? (next_position[0] ? sent_row[447] : sent_row[391]) : next_position[0] ? sent_row[335] : sent_row[279];
+    wire last_result_choice_9 = next_position[1] ? (next_position[0] ? sent_row[223] : sent_row[167]) : next_position[0] ? sent_row[111] : sent_row[55];
     wire last_result_choice_10 = next_position[3] ? (next_position[2] ? last_result_choice_6 : last_result_choice_7) : next_position[2] ? last_result_choice_8 : last_result_choice_9;
     wire last_result_inverted = ~(next_position[4] ? last_result_choice_5 : last_result_choice_10);
     wire last_result = (position == 6'd31) | last_result_inverted;
-    wire result_found_choice = position[1] ? (position[0] ? sent_row[1823] : sent_row[1766]) : position[0] ? sent_row[1709] : sent_row[1652];
-    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[1595] : sent_row[1538]) : position[0] ? sent_row[1481] : sent_row[1424];
-    wire result_found_choice_3 = position[1] ? (position[0] ? sent_row[1367] : sent_row[1310]) : position[0] ? sent_row[1253] : sent_row[1196];
-    wire result_found_choice_4 = position[1] ? (position[0] ? sent_row[1139] : sent_row[1082]) : position[0] ? sent_row[1025] : sent_row[968];
+    wire result_found_choice = position[1] ? (position[0] ? sent_row[1791] : sent_row[1735]) : position[0] ? sent_row[1679] : sent_row[1623];
+    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[1567] : sent_row[1511]) : position[0] ? sent_row[1455] : sent_row[1399];
+    wire result_found_choice_3 = position[1] ? (position[0] ? sent_row[1343] : sent_row[1287]) : position[0] ? sent_row[1231] : sent_row[1175];
+    wire result_found_choice_4 = position[1] ? (position[0] ? sent_row[1119] : sent_row[1063]) : position[0] ? sent_row[1007] : sent_row[951];
     wire result_found_choice_5 = position[3] ? (position[2] ? result_found_choice : result_found_choice_2) : position[2] ? result_found_choice_3 : result_found_choice_4;
-    wire result_found_choice_6 = position[1] ? (position[0] ? sent_row[911] : sent_row[854]) : position[0] ? sent_row[797] : sent_row[740];
-    wire result_found_choice_7 = position[1] ? (position[0] ? sent_row[683] : sent_row[626]) : position[0] ? sent_row[569] : sent_row[512];
-    wire result_found_choice_8 = position[1] ? (position[0] ? sent_row[455] : sent_row[398]) : position[0] ? sent_row[341] : sent_row[284];
-    wire result_found_choice_9 = position[1] ? (position[0] ? sent_row[227] : sent_row[170]) : position[0] ? sent_row[113] : sent_row[56];
+    wire result_found_choice_6 = position[1] ? (position[0] ? sent_row[895] : sent_row[839]) : position[0] ? sent_row[783] : sent_row[727];
+    wire result_found_choice_7 = position[1] ? (position[0] ? sent_row[671] : sent_row[615]) : position[0] ? sent_row[559] : sent_row[503];
+    wire result_found_choice_8 = position[1] ? (position[0] ? sent_row[447] : sent_row[391]) : position[0] ? sent_row[335] : sent_row[279];
+    wire result_found_choice_9 = position[1] ? (position[0] ? sent_row[223] : sent_row[167]) : position[0] ? sent_row[111] : sent_row[55];
     wire result_found_choice_10 = position[3] ? (position[2] ? result_found_choice_6 : result_found_choice_7) : position[2] ? result_found_choice_8 : result_found_choice_9;
-    wire [23:0] result_index_choice = position[1] ? (position[0] ? sent_row[1822:1799] : sent_row[1765:1742]) : position[0] ? sent_row[1708:1685] : sent_row[1651:1628];
-    wire [23:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[1594:1571] : sent_row[1537:1514]) : position[0] ? sent_row[1480:1457] : sent_row[1423:1400];
-    wire [23:0] result_index_choice_3 = position[1] ? (position[0] ? sent_row[1366:1343] : sent_row[1309:1286]) : position[0] ? sent_row[1252:1229] : sent_row[1195:1172];
-    wire [23:0] result_index_choice_4 = position[1] ? (position[0] ? sent_row[1138:1115] : sent_row[1081:1058]) : position[0] ? sent_row[1024:1001] : sent_row[967:944];
+    wire [23:0] result_index_choice = position[1] ? (position[0] ? sent_row[1790:1767] : sent_row[1734:1711]) : position[0] ? sent_row[1678:1655] : sent_row[1622:1599];
+    wire [23:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[1566:1543] : sent_row[1510:1487]) : position[0] ? sent_row[1454:1431] : sent_row[1398:1375];
+    wire [23:0] result_index_choice_3 = position[1] ? (position[0] ? sent_row[1342:1319] : sent_row[1286:1263]) : position[0] ? sent_row[1230:1207] : sent_row[1174:1151];
+    wire [23:0] result_index_choice_4 = position[1] ? (position[0] ? sent_row[1118:1095] : sent_row[1062:1039]) : position[0] ? sent_row[1006:983] : sent_row[950:927];
     wire [23:0] result_index_choice_5 = position[3] ? (position[2] ? result_index_choice : result_index_choice_2) : position[2] ? result_index_choice_3 : result_index_choice_4;
-    wire [23:0] result_index_choice_6 = position[1] ? (position[0] ? sent_row[910:887] : sent_row[853:830]) : position[0] ? sent_row[796:773] : sent_row[739:716];
-    wire [23:0] result_index_choice_7 = position[1] ? (position[0] ? sent_row[682:659] : sent_row[625:602]) : position[0] ? sent_row[568:545] : sent_row[511:488];
-    wire [23:0] result_index_choice_8 = position[1] ? (position[0] ? sent_row[454:431] : sent_row[397:374]) : position[0] ? sent_row[340:317] : sent_row[283:260];
-    wire [23:0] result_index_choice_9 = position[1] ? (position[0] ? sent_row[226:203] : sent_row[169:146]) : position[0] ? sent_row[112:89] : sent_row[55:32];
+    wire [23:0] result_index_choice_6 = position[1] ? (position[0] ? sent_row[894:871] : sent_row[838:815]) : position[0] ? sent_row[782:759] : sent_row[726:703];
+    wire [23:0] result_index_choice_7 = position[1] ? (position[0] ? sent_row[670:647] : sent_row[614:591]) : position[0] ? sent_row[558:535] : sent_row[502:479];
+    wire [23:0] result_index_choice_8 = position[1] ? (position[0] ? sent_row[446:423] : sent_row[390:367]) : position[0] ? sent_row[334:311] : sent_row[278:255];
+    wire [23:0] result_index_choice_9 = position[1] ? (position[0] ? sent_row[222:199] : sent_row[166:143]) : position[0] ? sent_row[110:87] : sent_row[54:31];
     wire [23:0] result_index_choice_10 = position[3] ? (position[2] ? result_index_choice_6 : result_index_choice_7) : position[2] ? result_index_choice_8 : result_index_choice_9;
-    wire [31:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[1798:1767] : sent_row[1741:1710]) : position[0] ? sent_row[1684:1653] : sent_row[1627:1596];
-    wire [31:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[1570:1539] : sent_row[1513:1482]) : position[0] ? sent_row[1456:1425] : sent_row[1399:1368];
-    wire [31:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
-    wire [31:0] result_distance2_choice_4 = position[1] ? (position[0] ? sent_row[1342:1311] : sent_row[1285:1254]) : position[0] ? sent_row[1228:1197] : sent_row[1171:1140];
-    wire [31:0] result_distance2_choice_5 = position[1] ? (position[0] ? sent_row[1114:1083] : sent_row[1057:1026]) : position[0] ? sent_row[1000:969] : sent_row[943:912];
-    wire [31:0] result_distance2_choice_6 = position[2] ? result_distance2_choice_4 : result_distance2_choice_5;
-    wire [31:0] result_distance2_choice_7 = position[3] ? result_distance2_choice_3 : result_distance2_choice_6;
-    wire [31:0] result_distance2_choice_8 = position[1] ? (position[0] ? sent_row[886:855] : sent_row[829:798]) : position[0] ? sent_row[772:741] : sent_row[715:684];
-    wire [31:0] result_distance2_choice_9 = position[1] ? (position[0] ? sent_row[658:627] : sent_row[601:570]) : position[0] ? sent_row[544:513] : sent_row[487:456];
-    wire [31:0] result_distance2_choice_10 = position[2] ? result_distance2_choice_8 : result_distance2_choice_9;
-    wire [31:0] result_distance2_choice_11 = position[1] ? (position[0] ? sent_row[430:399] : sent_row[373:342]) : position[0] ? sent_row[316:285] : sent_row[259:228];
-    wire [31:0] result_distance2_choice_12 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
-    wire [31:0] result_distance2_choice_13 = position[2] ? result_distance2_choice_11 : result_distance2_choice_12;
-    wire [31:0] result_distance2_choice_14 = position[3] ? result_distance2_choice_10 : result_distance2_choice_13;
+    wire [30:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[1766:1736] : sent_row[1710:1680]) : position[0] ? sent_row[1654:1624] : sent_row[1598:1568];
+    wire [30:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[1542:1512] : sent_row[1486:1456]) : position[0] ? sent_row[1430:1400] : sent_row[1374:1344];
+    wire [30:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
+    wire [30:0] result_distance2_choice_4 = position[1] ? (position[0] ? sent_row[1318:1288] : sent_row[1262:1232]) : position[0] ? sent_row[1206:1176] : sent_row[1150:1120];
+    wire [30:0] result_distance2_choice_5 = position[1] ? (position[0] ? sent_row[1094:1064] : sent_row[1038:1008]) : position[0] ? sent_row[982:952] : sent_row[926:896];
+    wire [30:0] result_distance2_choice_6 = position[2] ? result_distance2_choice_4 : result_distance2_choice_5;
+    wire [30:0] result_distance2_choice_7 = position[3] ? result_distance2_choice_3 : result_distance2_choice_6;
+    wire [30:0] result_distance2_choice_8 = position[1] ? (position[0] ? sent_row[870:840] : sent_row[814:784]) : position[0] ? sent_row[758:728] : sent_row[702:672];
+    wire [30:0] result_distance2_choice_9 = position[1] ? (position[0] ? sent_row[646:616] : sent_row[590:560]) : position[0] ? sent_row[534:504] : sent_row[478:448];
+    wire [30:0] result_distance2_choice_10 = position[2] ? result_distance2_choice_8 : result_distance2_choice_9;
+    wire [30:0] result_distance2_choice_11 = position[1] ? (position[0] ? sent_row[422:392] : sent_row[366:336]) : position[0] ? sent_row[310:280] : sent_row[254:224];
+    wire [30:0] result_distance2_choice_12 = position[1] ? (position[0] ? sent_row[198:168] : sent_row[142:112]) : position[0] ? sent_row[86:56] : sent_row[30:0];
+    wire [30:0] result_distance2_choice_13 = position[2] ? result_distance2_choice_11 : result_distance2_choice_12;
+    wire [30:0] result_distance2_choice_14 = position[3] ? result_distance2_choice_10 : result_distance2_choice_13;
+    wire [30:0] result_distance2_choice_15 = position[4] ? result_distance2_choice_7 : result_distance2_choice_14;
     wire write_back = item_reads & owned;
-    wire [23:0] inserted_row_choice = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] radius_radius2_choice = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire [23:0] inserted_row_choice_2 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] inserted_row_choice_3 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire [23:0] inserted_row_choice_4 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] inserted_row_choice_5 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire [23:0] inserted_row_choice_6 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] inserted_row_choice_7 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire [23:0] inserted_row_choice_8 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] inserted_row_choice_9 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire [23:0] inserted_row_choice_10 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] inserted_row_choice_11 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire [23:0] inserted_row_choice_12 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] inserted_row_choice_13 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire [23:0] inserted_row_choice_14 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] inserted_row_choice_15 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire [23:0] inserted_row_choice_16 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] inserted_row_choice_17 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire [23:0] inserted_row_choice_18 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] inserted_row_choice_19 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire [23:0] inserted_row_choice_20 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] inserted_row_choice_21 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire [23:0] inserted_row_choice_22 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] inserted_row_choice_23 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire [23:0] inserted_row_choice_24 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] inserted_row_choice_25 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire [23:0] inserted_row_choice_26 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] inserted_row_choice_27 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire [23:0] inserted_row_choice_28 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] inserted_row_choice_29 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire [23:0] inserted_row_choice_30 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] inserted_row_choice_31 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire [23:0] inserted_row_choice_32 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] inserted_row_choice_33 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire [23:0] inserted_row_choice_34 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] inserted_row_choice_35 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire [23:0] inserted_row_choice_36 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] inserted_row_choice_37 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire [23:0] inserted_row_choice_38 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] inserted_row_choice_39 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire [23:0] inserted_row_choice_40 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] inserted_row_choice_41 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire [23:0] inserted_row_choice_42 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] inserted_row_choice_43 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire [23:0] inserted_row_choice_44 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] inserted_row_choice_45 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire [23:0] inserted_row_choice_46 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] inserted_row_choice_47 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire [23:0] inserted_row_choice_48 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] inserted_row_choice_49 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire [23:0] inserted_row_choice_50 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] inserted_row_choice_51 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire [23:0] inserted_row_choice_52 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] inserted_row_choice_53 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire [23:0] inserted_row_choice_54 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] inserted_row_choice_55 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire [23:0] inserted_row_choice_56 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] inserted_row_choice_57 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire [23:0] inserted_row_choice_58 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] inserted_row_choice_59 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire [23:0] inserted_row_choice_60 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] inserted_row_choice_61 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
-    wire [1823:0] inserted_row = {
-        nearer[31] ? (nearer[30] ? working[1766] : 1'd1) : working[1823], inserted_row_choice,
-        radius_radius2_choice, nearer[30] ? (nearer[29] ? working[1709] : 1'd1) : working[1766],
+    wire [23:0] inserted_row_choice = nearer[31] ? (nearer[30] ? working[1734:1711] : new_index) : working[1790:1767];
+    wire [30:0] farthest_choice = nearer[31] ? (nearer[30] ? working[1710:1680] : new_distance2) : working[1766:1736];
+    wire [23:0] inserted_row_choice_2 = nearer[30] ? (nearer[29] ? working[1678:1655] : new_index) : working[1734:1711];
+    wire [30:0] inserted_row_choice_3 = nearer[30] ? (nearer[29] ? working[1654:1624] : new_distance2) : working[1710:1680];
+    wire [23:0] inserted_row_choice_4 = nearer[29] ? (nearer[28] ? working[1622:1599] : new_index) : working[1678:1655];
+    wire [30:0] inserted_row_choice_5 = nearer[29] ? (nearer[28] ? working[1598:1568] : new_distance2) : working[1654:1624];
+    wire [23:0] inserted_row_choice_6 = nearer[28] ? (nearer[27] ? working[1566:1543] : new_index) : working[1622:1599];
+    wire [30:0] inserted_row_choice_7 = nearer[28] ? (nearer[27] ? working[1542:1512] : new_distance2) : working[1598:1568];
+    wire [23:0] inserted_row_choice_8 = nearer[27] ? (nearer[26] ? working[1510:1487] : new_index) : working[1566:1543];
+    wire [30:0] inserted_row_choice_9 = nearer[27] ? (nearer[26] ? working[1486:1456] : new_distance2) : working[1542:1512];
+    wire [23:0] inserted_row_choice_10 = nearer[26] ? (nearer[25] ? working[1454:1431] : new_index) : working[1510:1487];
+    wire [30:0] inserted_row_choice_11 = nearer[26] ? (nearer[25] ? working[1430:1400] : new_distance2) : working[1486:1456];
+    wire [23:0] inserted_row_choice_12 = nearer[25] ? (nearer[24] ? working[1398:1375] : new_index) : working[1454:1431];
+    wire [30:0] inserted_row_choice_13 = nearer[25] ? (nearer[24] ? working[1374:1344] : new_distance2) : working[1430:1400];
+    wire [23:0] inserted_row_choice_14 = nearer[24] ? (nearer[23] ? working[1342:1319] : new_index) : working[1398:1375];
+    wire [30:0] inserted_row_choice_15 = nearer[24] ? (nearer[23] ? working[1318:1288] : new_distance2) : working[1374:1344];
+    wire [23:0] inserted_row_choice_16 = nearer[23] ? (nearer[22] ? working[1286:1263] : new_index) : working[1342:1319];
+    wire [30:0] inserted_row_choice_17 = nearer[23] ? (nearer[22] ? working[1262:1232] : new_distance2) : working[1318:1288];
+    wire [23:0] inserted_row_choice_18 = nearer[22] ? (nearer[21] ? working[1230:1207] : new_index) : working[1286:1263];
+    wire [30:0] inserted_row_choice_19 = nearer[22] ? (nearer[21] ? working[1206:1176] : new_distance2) : working[1262:1232];
+    wire [23:0] inserted_row_choice_20 = nearer[21] ? (nearer[20] ? working[1174:1151] : new_index) : working[1230:1207];
+    wire [30:0] inserted_row_choice_21 = nearer[21] ? (nearer[20] ? working[1150:1120] : new_distance2) : working[1206:1176];
+    wire [23:0] inserted_row_choice_22 = nearer[20] ? (nearer[19] ? working[1118:1095] : new_index) : working[1174:1151];
+    wire [30:0] inserted_row_choice_23 = nearer[20] ? (nearer[19] ? working[1094:1064] : new_distance2) : working[1150:1120];
+    wire [23:0] inserted_row_choice_24 = nearer[19] ? (nearer[18] ? working[1062:1039] : new_index) : working[1118:1095];
+    wire [30:0] inserted_row_choice_25 = nearer[19] ? (nearer[18] ? working[1038:1008] : new_distance2) : working[1094:1064];
+    wire [23:0] inserted_row_choice_26 = nearer[18] ? (nearer[17] ? working[1006:983] : new_index) : working[1062:1039];
+    wire [30:0] inserted_row_choice_27 = nearer[18] ? (nearer[17] ? working[982:952] : new_distance2) : working[1038:1008];
+    wire [23:0] inserted_row_choice_28 = nearer[17] ? (nearer[16] ? working[950:927] : new_index) : working[1006:983];
+    wire [30:0] inserted_row_choice_29 = nearer[17] ? (nearer[16] ? working[926:896] : new_distance2) : working[982:952];
+    wire [23:0] inserted_row_choice_30 = nearer[16] ? (nearer[15] ? working[894:871] : new_index) : working[950:927];
+    wire [30:0] inserted_row_choice_31 = nearer[16] ? (nearer[15] ? working[870:840] : new_distance2) : working[926:896];
+    wire [23:0] inserted_row_choice_32 = nearer[15] ? (nearer[14] ? working[838:815] : new_index) : working[894:871];
+    wire [30:0] inserted_row_choice_33 = nearer[15] ? (nearer[14] ? working[814:784] : new_distance2) : working[870:840];
+    wire [23:0] inserted_row_choice_34 = nearer[14] ? (nearer[13] ? working[782:759] : new_index) : working[838:815];
+    wire [30:0] inserted_row_choice_35 = nearer[14] ? (nearer[13] ? working[758:728] : new_distance2) : working[814:784];
+    wire [23:0] inserted_row_choice_36 = nearer[13] ? (nearer[12] ? working[726:703] : new_index) : working[782:759];
+    wire [30:0] inserted_row_choice_37 = nearer[13] ? (nearer[12] ? working[702:672] : new_distance2) : working[758:728];
+    wire [23:0] inserted_row_choice_38 = nearer[12] ? (nearer[11] ? working[670:647] : new_index) : working[726:703];
+    wire [30:0] inserted_row_choice_39 = nearer[12] ? (nearer[11] ? working[646:616] : new_distance2) : working[702:672];
+    wire [23:0] inserted_row_choice_40 = nearer[11] ? (nearer[10] ? working[614:591] : new_index) : working[670:647];
+    wire [30:0] inserted_row_choice_41 = nearer[11] ? (nearer[10] ? working[590:560] : new_distance2) : working[646:616];
+    wire [23:0] inserted_row_choice_42 = nearer[10] ? (nearer[9] ? working[558:535] : new_index) : working[614:591];
+    wire [30:0] inserted_row_choice_43 = nearer[10] ? (nearer[9] ? working[534:504] : new_distance2) : working[590:560];
+    wire [23:0] inserted_row_choice_44 = nearer[9] ? (nearer[8] ? working[502:479] : new_index) : working[558:535];
+    wire [30:0] inserted_row_choice_45 = nearer[9] ? (nearer[8] ? working[478:448] : new_distance2) : working[534:504];
+    wire [23:0] inserted_row_choice_46 = nearer[8] ? (nearer[7] ? working[446:423] : new_index) : working[502:479];
+    wire [30:0] inserted_row_choice_47 = nearer[8] ? (nearer[7] ? working[422:392] : new_distance2) : working[478:448];
+    wire [23:0] inserted_row_choice_48 = nearer[7] ? (nearer[6] ? working[390:367] : new_index) : working[446:423];
+    wire [30:0] inserted_row_choice_49 = nearer[7] ? (nearer[6] ? working[366:336] : new_distance2) : working[422:392];
+    wire [23:0] inserted_row_choice_50 = nearer[6] ? (nearer[5] ? working[334:311] : new_index) : working[390:367];
+    wire [30:0] inserted_row_choice_51 = nearer[6] ? (nearer[5] ? working[310:280] : new_distance2) : working[366:336];
+    wire [23:0] inserted_row_choice_52 = nearer[5] ? (nearer[4] ? working[278:255] : new_index) : working[334:311];
+    wire [30:0] inserted_row_choice_53 = nearer[5] ? (nearer[4] ? working[254:224] : new_distance2) : working[310:280];
+    wire [23:0] inserted_row_choice_54 = nearer[4] ? (nearer[3] ? working[222:199] : new_index) : working[278:255];
+    wire [30:0] inserted_row_choice_55 = nearer[4] ? (nearer[3] ? working[198:168] : new_distance2) : working[254:224];
+    wire [23:0] inserted_row_choice_56 = nearer[3] ? (nearer[2] ? working[166:143] : new_index) : working[222:199];
+    wire [30:0] inserted_row_choice_57 = nearer[3] ? (nearer[2] ? working[142:112] : new_distance2) : working[198:168];
+    wire [23:0] inserted_row_choice_58 = nearer[2] ? (nearer[1] ? working[110:87] : new_index) : working[166:143];
+    wire [30:0] inserted_row_choice_59 = nearer[2] ? (nearer[1] ? working[86:56] : new_distance2) : working[142:112];
+    wire [23:0] inserted_row_choice_60 = nearer[1] ? (nearer[0] ? working[54:31] : new_index) : working[110:87];
+    wire [30:0] inserted_row_choice_61 = nearer[1] ? (nearer[0] ? working[30:0] : new_distance2) : working[86:56];
+    wire [1791:0] inserted_row = {
+        nearer[31] ? (nearer[30] ? working[1735] : 1'd1) : working[1791], inserted_row_choice,
+        farthest_choice, nearer[30] ? (nearer[29] ? working[1679] : 1'd1) : working[1735],
         inserted_row_choice_2, inserted_row_choice_3,
-        nearer[29] ? (nearer[28] ? working[1652] : 1'd1) : working[1709], inserted_row_choice_4,
-        inserted_row_choice_5, nearer[28] ? (nearer[27] ? working[1595] : 1'd1) : working[1652],
+        nearer[29] ? (nearer[28] ? working[1623] : 1'd1) : working[1679], inserted_row_choice_4,
+        inserted_row_choice_5, nearer[28] ? (nearer[27] ? working[1567] : 1'd1) : working[1623],
         inserted_row_choice_6, inserted_row_choice_7,
-        nearer[27] ? (nearer[26] ? working[1538] : 1'd1) : working[1595], inserted_row_choice_8,
-        inserted_row_choice_9, nearer[26] ? (nearer[25] ? working[1481] : 1'd1) : working[1538],
+        nearer[27] ? (nearer[26] ? working[1511] : 1'd1) : working[1567], inserted_row_choice_8,
+        inserted_row_choice_9, nearer[26] ? (nearer[25] ? working[1455] : 1'd1) : working[1511],
         inserted_row_choice_10, inserted_row_choice_11,
-        nearer[25] ? (nearer[24] ? working[1424] : 1'd1) : working[1481], inserted_row_choice_12,
-        inserted_row_choice_13, nearer[24] ? (nearer[23] ? working[1367] : 1'd1) : working[1424],
+        nearer[25] ? (nearer[24] ? working[1399] : 1'd1) : working[1455], inserted_row_choice_12,
+        inserted_row_choice_13, nearer[24] ? (nearer[23] ? working[1343] : 1'd1) : working[1399],
         inserted_row_choice_14, inserted_row_choice_15,
-        nearer[23] ? (nearer[22] ? working[1310] : 1'd1) : working[1367], inserted_row_choice_16,
-        inserted_row_choice_17, nearer[22] ? (nearer[21] ? working[1253] : 1'd1) : working[1310],
+        nearer[23] ? (nearer[22] ? working[1287] : 1'd1) : working[1343], inserted_row_choice_16,
+        inserted_row_choice_17, nearer[22] ? (nearer[21] ? working[1231] : 1'd1) : working[1287],
         inserted_row_choice_18, inserted_row_choice_19,
-        nearer[21] ? (nearer[20] ? working[1196] : 1'd1) : working[1253], inserted_row_choice_20,
-        inserted_row_choice_21, nearer[20] ? (nearer[19] ? working[1139] : 1'd1) : working[1196],
+        nearer[21] ? (nearer[20] ? working[1175] : 1'd1) : working[1231], inserted_row_choice_20,
+        inserted_row_choice_21, nearer[20] ? (nearer[19] ? working[1119] : 1'd1) : working[1175],
         inserted_row_choice_22, inserted_row_choice_23,
-        nearer[19] ? (nearer[18] ? working[1082] : 1'd1) : working[1139], inserted_row_choice_24,
-        inserted_row_choice_25, nearer[18] ? (nearer[17] ? working[1025] : 1'd1) : working[1082],
+        nearer[19] ? (nearer[18] ? working[1063] : 1'd1) : working[1119], inserted_row_choice_24,
+        inserted_row_choice_25, nearer[18] ? (nearer[17] ? working[1007] : 1'd1) : working[1063],
         inserted_row_choice_26, inserted_row_choice_27,
-        nearer[17] ? (nearer[16] ? working[968] : 1'd1) : working[1025], inserted_row_choice_28,
-        inserted_row_choice_29, nearer[16] ? (nearer[15] ? working[911] : 1'd1) : working[968],
+        nearer[17] ? (nearer[16] ? working[951] : 1'd1) : working[1007], inserted_row_choice_28,
+        inserted_row_choice_29, nearer[16] ? (nearer[15] ? working[895] : 1'd1) : working[951],
         inserted_row_choice_30, inserted_row_choice_31,
-        nearer[15] ? (nearer[14] ? working[854] : 1'd1) : working[911], inserted_row_choice_32,
-        inserted_row_choice_33, nearer[14] ? (nearer[13] ? working[797] : 1'd1) : working[854],
+        nearer[15] ? (nearer[14] ? working[839] : 1'd1) : working[895], inserted_row_choice_32,
+        inserted_row_choice_33, nearer[14] ? (nearer[13] ? working[783] : 1'd1) : working[839],
         inserted_row_choice_34, inserted_row_choice_35,
-        nearer[13] ? (nearer[12] ? working[740] : 1'd1) : working[797], inserted_row_choice_36,
-        inserted_row_choice_37, nearer[12] ? (nearer[11] ? working[683] : 1'd1) : working[740],
+        nearer[13] ? (nearer[12] ? working[727] : 1'd1) : working[783], inserted_row_choice_36,
+        inserted_row_choice_37, nearer[12] ? (nearer[11] ? working[671] : 1'd1) : working[727],
         inserted_row_choice_38, inserted_row_choice_39,
-        nearer[11] ? (nearer[10] ? working[626] : 1'd1) : working[683], inserted_row_choice_40,
-        inserted_row_choice_41, nearer[10] ? (nearer[9] ? working[569] : 1'd1) : working[626],
+        nearer[11] ? (nearer[10] ? working[615] : 1'd1) : working[671], inserted_row_choice_40,
+        inserted_row_choice_41, nearer[10] ? (nearer[9] ? working[559] : 1'd1) : working[615],
         inserted_row_choice_42, inserted_row_choice_43,
-        nearer[9] ? (nearer[8] ? working[512] : 1'd1) : working[569], inserted_row_choice_44,
-        inserted_row_choice_45, nearer[8] ? (nearer[7] ? working[455] : 1'd1) : working[512],
+        nearer[9] ? (nearer[8] ? working[503] : 1'd1) : working[559], inserted_row_choice_44,
+        inserted_row_choice_45, nearer[8] ? (nearer[7] ? working[447] : 1'd1) : working[503],
         inserted_row_choice_46, inserted_row_choice_47,
-        nearer[7] ? (nearer[6] ? working[398] : 1'd1) : working[455], inserted_row_choice_48,
-        inserted_row_choice_49, nearer[6] ? (nearer[5] ? working[341] : 1'd1) : working[398],
+        nearer[7] ? (nearer[6] ? working[391] : 1'd1) : working[447], inserted_row_choice_48,
+        inserted_row_choice_49, nearer[6] ? (nearer[5] ? working[335] : 1'd1) : working[391],
         inserted_row_choice_50, inserted_row_choice_51,
-        nearer[5] ? (nearer[4] ? working[284] : 1'd1) : working[341], inserted_row_choice_52,
-        inserted_row_choice_53, nearer[4] ? (nearer[3] ? working[227] : 1'd1) : working[284],
+        nearer[5] ? (nearer[4] ? working[279] : 1'd1) : working[335], inserted_row_choice_52,
+        inserted_row_choice_53, nearer[4] ? (nearer[3] ? working[223] : 1'd1) : working[279],
         inserted_row_choice_54, inserted_row_choice_55,
-        nearer[3] ? (nearer[2] ? working[170] : 1'd1) : working[227], inserted_row_choice_56,
-        inserted_row_choice_57, nearer[2] ? (nearer[1] ? working[113] : 1'd1) : working[170],
+        nearer[3] ? (nearer[2] ? working[167] : 1'd1) : working[223], inserted_row_choice_56,
+        inserted_row_choice_57, nearer[2] ? (nearer[1] ? working[111] : 1'd1) : working[167],
         inserted_row_choice_58, inserted_row_choice_59,
-        nearer[1] ? (nearer[0] ? working[56] : 1'd1) : working[113], inserted_row_choice_60,
-        inserted_row_choice_61, nearer[0] ? 1'd1 : working[56], nearer[0] ? new_index : working[55:32],
-        nearer[0] ? new_distance2 : working[31:0]
+        nearer[1] ? (nearer[0] ? working[55] : 1'd1) : working[111], inserted_row_choice_60,
+        inserted_row_choice_61, nearer[0] ? 1'd1 : working[55], nearer[0] ? new_index : working[54:31],
+        nearer[0] ? new_distance2 : working[30:0]
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
@@ -6759,23 +6760,23 @@ module search_queue (
     wire follows_beat = beat_thread == arrivals_head[186:183];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
-    wire [1823:0] initial_row = {
-        25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
-        query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
-        query[27] ? 32'd0 : query[63:32], 25'd0, query[26] ? 32'd0 : query[63:32], 25'd0,
-        query[25] ? 32'd0 : query[63:32], 25'd0, query[24] ? 32'd0 : query[63:32], 25'd0,
-        query[23] ? 32'd0 : query[63:32], 25'd0, query[22] ? 32'd0 : query[63:32], 25'd0,
-        query[21] ? 32'd0 : query[63:32], 25'd0, query[20] ? 32'd0 : query[63:32], 25'd0,
-        query[19] ? 32'd0 : query[63:32], 25'd0, query[18] ? 32'd0 : query[63:32], 25'd0,
-        query[17] ? 32'd0 : query[63:32], 25'd0, query[16] ? 32'd0 : query[63:32], 25'd0,
-        query[15] ? 32'd0 : query[63:32], 25'd0, query[14] ? 32'd0 : query[63:32], 25'd0,
-        query[13] ? 32'd0 : query[63:32], 25'd0, query[12] ? 32'd0 : query[63:32], 25'd0,
-        query[11] ? 32'd0 : query[63:32], 25'd0, query[10] ? 32'd0 : query[63:32], 25'd0,
-        query[9] ? 32'd0 : query[63:32], 25'd0, query[8] ? 32'd0 : query[63:32], 25'd0,
-        query[7] ? 32'd0 : query[63:32], 25'd0, query[6] ? 32'd0 : query[63:32], 25'd0,
-        query[5] ? 32'd0 : query[63:32], 25'd0, query[4] ? 32'd0 : query[63:32], 25'd0,
-        query[3] ? 32'd0 : query[63:32], 25'd0, query[2] ? 32'd0 : query[63:32], 25'd0,
-        query[1] ? 32'd0 : query[63:32], 25'd0, query[0] ? 32'd0 : query[63:32]
+    wire [1791:0] initial_row = {
+        25'd0, query[61:31], 25'd0, query[30] ? 31'd0 : query[61:31], 25'd0, query[29] ? 31'd0 : query[61:31],
+        25'd0, query[28] ? 31'd0 : query[61:31], 25'd0, query[27] ? 31'd0 : query[61:31], 25'd0,
+        query[26] ? 31'd0 : query[61:31], 25'd0, query[25] ? 31'd0 : query[61:31], 25'd0,
+        query[24] ? 31'd0 : query[61:31], 25'd0, query[23] ? 31'd0 : query[61:31], 25'd0,
+        query[22] ? 31'd0 : query[61:31], 25'd0, query[21] ? 31'd0 : query[61:31], 25'd0,
+        query[20] ? 31'd0 : query[61:31], 25'd0, query[19] ? 31'd0 : query[61:31], 25'd0,
+        query[18] ? 31'd0 : query[61:31], 25'd0, query[17] ? 31'd0 : query[61:31], 25'd0,
+        query[16] ? 31'd0 : query[61:31], 25'd0, query[15] ? 31'd0 : query[61:31], 25'd0,
+        query[14] ? 31'd0 : query[61:31], 25'd0, query[13] ? 31'd0 : query[61:31], 25'd0,
+        query[12] ? 31'd0 : query[61:31], 25'd0, query[11] ? 31'd0 : query[61:31], 25'd0,
+        query[10] ? 31'd0 : query[61:31], 25'd0, query[9] ? 31'd0 : query[61:31], 25'd0,
+        query[8] ? 31'd0 : query[61:31], 25'd0, query[7] ? 31'd0 : query[61:31], 25'd0,
+        query[6] ? 31'd0 : query[61:31], 25'd0, query[5] ? 31'd0 : query[61:31], 25'd0,
+        query[4] ? 31'd0 : query[61:31], 25'd0, query[3] ? 31'd0 : query[61:31], 25'd0,
+        query[2] ? 31'd0 : query[61:31], 25'd0, query[1] ? 31'd0 : query[61:31], 25'd0,
+        query[0] ? 31'd0 : query[61:31]
     };
     wire reads = moves & beat_reads;
     wire [15:0] fresh_bits = {
@@ -6802,118 +6803,124 @@ module search_queue (
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
     wire farthest_will_be_known_both = (farthest_thread == arrivals_head[186:183]) & ~farthest_will_be_known_choice;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[63:32] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[63:32] < farthest));
-    wire beat_pending_both_2 = (arrivals_head[95:64] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[95:64] < farthest));
-    wire beat_pending_both_3 = (arrivals_head[127:96] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[127:96] < farthest));
-    wire beat_pending_both_4 = (arrivals_head[159:128] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[159:128] < farthest));
+    wire beat_pending_either = ~farthest_will_be_known | (arrivals_head[63:32] < {1'd0, farthest});
+    wire beat_pending_both = (arrivals_head[63:32] < arrivals_head[31:0]) & beat_pending_either;
+    wire beat_pending_either_2 = ~farthest_will_be_known | (arrivals_head[95:64] < {1'd0, farthest});
+    wire beat_pending_both_2 = (arrivals_head[95:64] < arrivals_head[31:0]) & beat_pending_either_2;
+    wire beat_pending_either_3 = ~farthest_will_be_known | (arrivals_head[127:96] < {1'd0, farthest});
+    wire beat_pending_both_3 = (arrivals_head[127:96] < arrivals_head[31:0]) & beat_pending_either_3;
+    wire beat_pending_either_4 = ~farthest_will_be_known | (arrivals_head[159:128] < {1'd0, farthest});
+    wire beat_pending_both_4 = (arrivals_head[159:128] < arrivals_head[31:0]) & beat_pending_either_4;
     wire [3:0] beat_pending_bits = {beat_pending_both, beat_pending_both_2, beat_pending_both_3, beat_pending_both_4};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire [3:0] left_bits = {
-        ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
-        ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
+        ~farthest_is_known | (beat_distance3 < {1'd0, farthest}),
+        ~farthest_is_known | (beat_distance2 < {1'd0, farthest}),
+        ~farthest_is_known | (beat_distance1 < {1'd0, farthest}),
+        ~farthest_is_known | (beat_distance0 < {1'd0, farthest})
     };
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
     wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [31:0] nearer_entries_bits = {
-        item_distance2 < stored[1798:1767], item_distance2 < stored[1741:1710],
-        item_distance2 < stored[1684:1653], item_distance2 < stored[1627:1596],
-        item_distance2 < stored[1570:1539], item_distance2 < stored[1513:1482],
-        item_distance2 < stored[1456:1425], item_distance2 < stored[1399:1368],
-        item_distance2 < stored[1342:1311], item_distance2 < stored[1285:1254],
-        item_distance2 < stored[1228:1197], item_distance2 < stored[1171:1140],
-        item_distance2 < stored[1114:1083], item_distance2 < stored[1057:1026],
-        item_distance2 < stored[1000:969], item_distance2 < stored[943:912], item_distance2 < stored[886:855],
-        item_distance2 < stored[829:798], item_distance2 < stored[772:741], item_distance2 < stored[715:684],
-        item_distance2 < stored[658:627], item_distance2 < stored[601:570], item_distance2 < stored[544:513],
-        item_distance2 < stored[487:456], item_distance2 < stored[430:399], item_distance2 < stored[373:342],
-        item_distance2 < stored[316:285], item_distance2 < stored[259:228], item_distance2 < stored[202:171],
-        item_distance2 < stored[145:114], item_distance2 < stored[88:57], item_distance2 < stored[31:0]
+        item_distance2 < stored[1766:1736], item_distance2 < stored[1710:1680],
+        item_distance2 < stored[1654:1624], item_distance2 < stored[1598:1568],
+        item_distance2 < stored[1542:1512], item_distance2 < stored[1486:1456],
+        item_distance2 < stored[1430:1400], item_distance2 < stored[1374:1344],
+        item_distance2 < stored[1318:1288], item_distance2 < stored[1262:1232],
+        item_distance2 < stored[1206:1176], item_distance2 < stored[1150:1120],
+        item_distance2 < stored[1094:1064], item_distance2 < stored[1038:1008],
+        item_distance2 < stored[982:952], item_distance2 < stored[926:896], item_distance2 < stored[870:840],
+        item_distance2 < stored[814:784], item_distance2 < stored[758:728], item_distance2 < stored[702:672],
+        item_distance2 < stored[646:616], item_distance2 < stored[590:560], item_distance2 < stored[534:504],
+        item_distance2 < stored[478:448], item_distance2 < stored[422:392], item_distance2 < stored[366:336],
+        item_distance2 < stored[310:280], item_distance2 < stored[254:224], item_distance2 < stored[198:168],
+        item_distance2 < stored[142:112], item_distance2 < stored[86:56], item_distance2 < stored[30:0]
     };
-    wire nearer_entries_in_order = item_distance2 < working[1741:1710];
+    wire nearer_entries_in_order = item_distance2 < working[1710:1680];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[1798:1767]);
-    wire nearer_entries_in_order_3 = item_distance2 < working[1684:1653];
+    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[1766:1736]);
+    wire nearer_entries_in_order_3 = item_distance2 < working[1654:1624];
     wire nearer_entries_choice_2 = nearer[29] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = item_distance2 < working[1627:1596];
+    wire nearer_entries_in_order_4 = item_distance2 < working[1598:1568];
     wire nearer_entries_choice_3 = nearer[28] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = item_distance2 < working[1570:1539];
+    wire nearer_entries_in_order_5 = item_distance2 < working[1542:1512];
     wire nearer_entries_choice_4 = nearer[27] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = item_distance2 < working[1513:1482];
+    wire nearer_entries_in_order_6 = item_distance2 < working[1486:1456];
     wire nearer_entries_choice_5 = nearer[26] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = item_distance2 < working[1456:1425];
+    wire nearer_entries_in_order_7 = item_distance2 < working[1430:1400];
     wire nearer_entries_choice_6 = nearer[25] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = item_distance2 < working[1399:1368];
+    wire nearer_entries_in_order_8 = item_distance2 < working[1374:1344];
     wire nearer_entries_choice_7 = nearer[24] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_9 = item_distance2 < working[1342:1311];
+    wire nearer_entries_in_order_9 = item_distance2 < working[1318:1288];
     wire nearer_entries_choice_8 = nearer[23] ? nearer_entries_in_order_9 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_10 = item_distance2 < working[1285:1254];
+    wire nearer_entries_in_order_10 = item_distance2 < working[1262:1232];
     wire nearer_entries_choice_9 = nearer[22] ? nearer_entries_in_order_10 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_11 = item_distance2 < working[1228:1197];
+    wire nearer_entries_in_order_11 = item_distance2 < working[1206:1176];
     wire nearer_entries_choice_10 = nearer[21] ? nearer_entries_in_order_11 : nearer_entries_in_order_2;
     wire nearer_entries_choice_11 = nearer[22] ? nearer_entries_choice_10 : nearer_entries_in_order_10;
-    wire nearer_entries_in_order_12 = item_distance2 < working[1171:1140];
+    wire nearer_entries_in_order_12 = item_distance2 < working[1150:1120];
     wire nearer_entries_choice_12 = nearer[20] ? nearer_entries_in_order_12 : nearer_entries_in_order_2;
     wire nearer_entries_choice_13 = nearer[21] ? nearer_entries_choice_12 : nearer_entries_in_order_11;
-    wire nearer_entries_in_order_13 = item_distance2 < working[1114:1083];
+    wire nearer_entries_in_order_13 = item_distance2 < working[1094:1064];
     wire nearer_entries_choice_14 = nearer[19] ? nearer_entries_in_order_13 : nearer_entries_in_order_2;
     wire nearer_entries_choice_15 = nearer[20] ? nearer_entries_choice_14 : nearer_entries_in_order_12;
-    wire nearer_entries_in_order_14 = item_distance2 < working[1057:1026];
+    wire nearer_entries_in_order_14 = item_distance2 < working[1038:1008];
     wire nearer_entries_choice_16 = nearer[18] ? nearer_entries_in_order_14 : nearer_entries_in_order_2;
     wire nearer_entries_choice_17 = nearer[19] ? nearer_entries_choice_16 : nearer_entries_in_order_13;
-    wire nearer_entries_in_order_15 = item_distance2 < working[1000:969];
+    wire nearer_entries_in_order_15 = item_distance2 < working[982:952];
     wire nearer_entries_choice_18 = nearer[17] ? nearer_entries_in_order_15 : nearer_entries_in_order_2;
     wire nearer_entries_choice_19 = nearer[18] ? nearer_entries_choice_18 : nearer_entries_in_order_14;
-    wire nearer_entries_in_order_16 = item_distance2 < working[943:912];
+    wire nearer_entries_in_order_16 = item_distance2 < working[926:896];
     wire nearer_entries_choice_20 = nearer[16] ? nearer_entries_in_order_16 : nearer_entries_in_order_2;
     wire nearer_entries_choice_21 = nearer[17] ? nearer_entries_choice_20 : nearer_entries_in_order_15;
-    wire nearer_entries_in_order_17 = item_distance2 < working[886:855];
+    wire nearer_entries_in_order_17 = item_distance2 < working[870:840];
     wire nearer_entries_choice_22 = nearer[15] ? nearer_entries_in_order_17 : nearer_entries_in_order_2;
     wire nearer_entries_choice_23 = nearer[16] ? nearer_entries_choice_22 : nearer_entries_in_order_16;
-    wire nearer_entries_in_order_18 = item_distance2 < working[829:798];
+    wire nearer_entries_in_order_18 = item_distance2 < working[814:784];
     wire nearer_entries_choice_24 = nearer[14] ? nearer_entries_in_order_18 : nearer_entries_in_order_2;
     wire nearer_entries_choice_25 = nearer[15] ? nearer_entries_choice_24 : nearer_entries_in_order_17;
-    wire nearer_entries_in_order_19 = item_distance2 < working[772:741];
+    wire nearer_entries_in_order_19 = item_distance2 < working[758:728];
     wire nearer_entries_choice_26 = nearer[13] ? nearer_entries_in_order_19 : nearer_entries_in_order_2;
     wire nearer_entries_choice_27 = nearer[14] ? nearer_entries_choice_26 : nearer_entries_in_order_18;
-    wire nearer_entries_in_order_20 = item_distance2 < working[715:684];
+    wire nearer_entries_in_order_20 = item_distance2 < working[702:672];
     wire nearer_entries_choice_28 = nearer[12] ? nearer_entries_in_order_20 : nearer_entries_in_order_2;
     wire nearer_entries_choice_29 = nearer[13] ? nearer_entries_choice_28 : nearer_entries_in_order_19;
-    wire nearer_entries_in_order_21 = item_distance2 < working[658:627];
+    wire nearer_entries_in_order_21 = item_distance2 < working[646:616];
     wire nearer_entries_choice_30 = nearer[11] ? nearer_entries_in_order_21 : nearer_entries_in_order_2;
     wire nearer_entries_choice_31 = nearer[12] ? nearer_entries_choice_30 : nearer_entries_in_order_20;
-    wire nearer_entries_in_order_22 = item_distance2 < working[601:570];
+    wire nearer_entries_in_order_22 = item_distance2 < working[590:560];
     wire nearer_entries_choice_32 = nearer[10] ? nearer_entries_in_order_22 : nearer_entries_in_order_2;
     wire nearer_entries_choice_33 = nearer[11] ? nearer_entries_choice_32 : nearer_entries_in_order_21;
-    wire nearer_entries_in_order_23 = item_distance2 < working[544:513];
+    wire nearer_entries_in_order_23 = item_distance2 < working[534:504];
     wire nearer_entries_choice_34 = nearer[9] ? nearer_entries_in_order_23 : nearer_entries_in_order_2;
     wire nearer_entries_choice_35 = nearer[10] ? nearer_entries_choice_34 : nearer_entries_in_order_22;
-    wire nearer_entries_in_order_24 = item_distance2 < working[487:456];
+    wire nearer_entries_in_order_24 = item_distance2 < working[478:448];
     wire nearer_entries_choice_36 = nearer[8] ? nearer_entries_in_order_24 : nearer_entries_in_order_2;
     wire nearer_entries_choice_37 = nearer[9] ? nearer_entries_choice_36 : nearer_entries_in_order_23;
-    wire nearer_entries_in_order_25 = item_distance2 < working[430:399];
+    wire nearer_entries_in_order_25 = item_distance2 < working[422:392];
     wire nearer_entries_choice_38 = nearer[7] ? nearer_entries_in_order_25 : nearer_entries_in_order_2;
     wire nearer_entries_choice_39 = nearer[8] ? nearer_entries_choice_38 : nearer_entries_in_order_24;
-    wire nearer_entries_in_order_26 = item_distance2 < working[373:342];
+    wire nearer_entries_in_order_26 = item_distance2 < working[366:336];
     wire nearer_entries_choice_40 = nearer[6] ? nearer_entries_in_order_26 : nearer_entries_in_order_2;
     wire nearer_entries_choice_41 = nearer[7] ? nearer_entries_choice_40 : nearer_entries_in_order_25;
-    wire nearer_entries_in_order_27 = item_distance2 < working[316:285];
+    wire nearer_entries_in_order_27 = item_distance2 < working[310:280];
     wire nearer_entries_choice_42 = nearer[5] ? nearer_entries_in_order_27 : nearer_entries_in_order_2;
     wire nearer_entries_choice_43 = nearer[6] ? nearer_entries_choice_42 : nearer_entries_in_order_26;
-    wire nearer_entries_in_order_28 = item_distance2 < working[259:228];
+    wire nearer_entries_in_order_28 = item_distance2 < working[254:224];
     wire nearer_entries_choice_44 = nearer[4] ? nearer_entries_in_order_28 : nearer_entries_in_order_2;
     wire nearer_entries_choice_45 = nearer[5] ? nearer_entries_choice_44 : nearer_entries_in_order_27;
-    wire nearer_entries_in_order_29 = item_distance2 < working[202:171];
+    wire nearer_entries_in_order_29 = item_distance2 < working[198:168];
     wire nearer_entries_choice_46 = nearer[3] ? nearer_entries_in_order_29 : nearer_entries_in_order_2;
     wire nearer_entries_choice_47 = nearer[4] ? nearer_entries_choice_46 : nearer_entries_in_order_28;
-    wire nearer_entries_in_order_30 = item_distance2 < working[145:114];
+    wire nearer_entries_in_order_30 = item_distance2 < working[142:112];
     wire nearer_entries_choice_48 = nearer[2] ? nearer_entries_in_order_30 : nearer_entries_in_order_2;
     wire nearer_entries_choice_49 = nearer[3] ? nearer_entries_choice_48 : nearer_entries_in_order_29;
-    wire nearer_entries_in_order_31 = item_distance2 < working[88:57];
+    wire nearer_entries_in_order_31 = item_distance2 < working[86:56];
     wire nearer_entries_choice_50 = nearer[1] ? nearer_entries_in_order_31 : nearer_entries_in_order_2;
     wire nearer_entries_choice_51 = nearer[2] ? nearer_entries_choice_50 : nearer_entries_in_order_30;
-    wire nearer_entries_in_order_32 = item_distance2 < working[31:0];
+    wire nearer_entries_in_order_32 = item_distance2 < working[30:0];
     wire nearer_entries_choice_52 = nearer[0] ? nearer_entries_in_order_32 : nearer_entries_in_order_2;
     wire nearer_entries_choice_53 = nearer[1] ? nearer_entries_choice_52 : nearer_entries_in_order_31;
     wire nearer_entries_choice_54 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_32;
@@ -6935,11 +6942,12 @@ module search_queue (
         nearer_entries_choice_49, nearer_entries_choice_51, nearer_entries_choice_53,
         nearer_entries_choice_54
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : nearer_entries_bits) : nearer_entries_bits_2;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? {1'd1, ~query[30:0]} : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
     wire [31:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [31:0] item_distance2_choice_2 = chosen[0] ? beat_distance0 : item_distance2_choice;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
         radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
@@ -6960,17 +6968,17 @@ module search_queue (
     assign result_last = last_result;
     assign result_found = position[4] ? result_found_choice_5 : result_found_choice_10;
     assign result_index = position[4] ? result_index_choice_5 : result_index_choice_10;
-    assign result_distance2 = position[4] ? result_distance2_choice_7 : result_distance2_choice_14;
+    assign result_distance2 = {1'd0, result_distance2_choice_15};
 
-    memory_1w1r #(.WIDTH(1824), .DEPTH(16)) rows (
+    memory_1w1r #(.WIDTH(1792), .DEPTH(16)) rows (
         .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
-    memory_1w1r #(.WIDTH(94), .DEPTH(16)) queries (
+    memory_1w1r #(.WIDTH(92), .DEPTH(16)) queries (
         .clk(clk), .write(start_valid), .write_address(start_thread),
         .write_data({
-            start_number, start_k, start_radius2, start_k < 6'd1, start_k < 6'd2, start_k < 6'd3, start_k < 6'd4,
+            start_number, start_k, start_radius2[30:0], start_k < 6'd2, start_k < 6'd3, start_k < 6'd4,
             start_k < 6'd5, start_k < 6'd6, start_k < 6'd7, start_k < 6'd8, start_k < 6'd9, start_k < 6'd10,
             start_k < 6'd11, start_k < 6'd12, start_k < 6'd13, start_k < 6'd14, start_k < 6'd15, start_k < 6'd16,
             start_k < 6'd17, start_k < 6'd18, start_k < 6'd19, start_k < 6'd20, start_k < 6'd21, start_k < 6'd22,
@@ -7007,7 +7015,6 @@ module search_queue (
             fetching <= 1'd0;
             sending <= 1'd0;
             readout_idle <= 1'd1;
-            from_leaf <= 16'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
@@ -7030,7 +7037,6 @@ module search_queue (
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
@@ -7050,13 +7056,14 @@ module search_queue (
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= radius_radius2_choice;
-        farthest <= radius_radius2_choice;
+        radius_radius2 <= {1'd0, farthest_choice};
+        farthest <= farthest_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : item_distance2_choice;
+        item_distance2 <= item_distance2_choice_2[30:0];
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
             beat_thread <= arrivals_head[186:183];
@@ -7070,10 +7077,10 @@ module search_queue (
         if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
-            sent_number <= query[93:70];
+            sent_number <= query[91:68];
         end
         if (fetching | result_transfer) begin
-            position <= fetching ? (6'd32 - query[69:64]) : next_position;
+            position <= fetching ? (6'd32 - query[67:62]) : next_position;
         end
     end
     always @(posedge clk) begin
@@ -7089,7 +7096,8 @@ module search_queue (
 
     wire _unused = &{
         1'b0, arrivals_data_shifted[15:1], fetch_from_nothing_shifted[15:1],
-        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], start_x, start_y, start_z
+        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], item_distance2_choice_2[31], start_x,
+        start_y, start_z
     };
 
 `ifdef RTL_ASSERT
@@ -7271,16 +7279,14 @@ module search_sieve (
     always @(posedge clk) begin
         if (rst) begin
             s1_valid <= 1'd0;
-            from_leaf <= 16'd0;
             s2_valid <= 1'd0;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
             if (advance) s1_valid <= candidates_queue_out_valid;
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
+            if (decides) s2_valid <= s1_valid;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
-            if (decides) s2_valid <= s1_valid;
         end
     end
     always @(posedge clk) begin
@@ -7294,6 +7300,8 @@ module search_sieve (
             s1_distance3 <= candidates_queue_out_distance3;
             radius2 <= radius2_shifted[0] ? leaf_radius2 : query_radius2;
         end
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
+        skipped_thread <= s2_thread;
         if (decides) begin
             s2_survives <= |s2_survives_bits;
             s2_thread <= s1_thread;
@@ -7313,7 +7321,6 @@ module search_sieve (
             held_distance2 <= s2_distance2;
             held_distance3 <= s2_distance3;
         end
-        skipped_thread <= s2_thread;
     end
     always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
@@ -8233,7 +8240,6 @@ module search_recursion (
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
             r2_valid <= 1'd0;
-            from_leaf <= 16'd0;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
         end else begin
@@ -8242,7 +8248,6 @@ module search_recursion (
                 r1_valid <= r0_valid;
                 r2_valid <= r1_valid;
             end
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
             empty_valid <= decides & ~found;
             event_pop <= popped;
         end
@@ -8257,6 +8262,7 @@ module search_recursion (
             path_distance2 <= top_distance2;
             radius2 <= from_leaf_shifted_by_r1_thread[0] ? leaf_radius2 : query_radius2;
         end
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
         empty_thread <= r2_thread;
     end
     always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
@@ -8265,10 +8271,20 @@ module search_recursion (
     wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_x, start_y, start_z};
 
 `ifdef RTL_ASSERT
+    reg [15:0] begun;
+
+    wire [15:0] begun_shifted_by_r0_thread = begun >> r0_thread;
+
+    always @(posedge clk) begin
+        if (rst) begun <= 16'd0;
+        else begun <= begun | query_set;
+    end
+
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
         radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
+        a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
@@ -8276,8 +8292,13 @@ module search_recursion (
         if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
             $display("assertion failed: radius_radius2_in_range in %m"); $stop;
         end
+        if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
+            $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
+        end
 `endif
     end
+
+    wire _unused_by_checks = &{1'b0, begun_shifted_by_r0_thread[15:1]};
 `endif
 endmodule
 

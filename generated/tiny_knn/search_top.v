@@ -261,7 +261,7 @@ module search_queue (
     reg [1:0] arrivals_count;
     reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [1:0] owner;
-    reg [327:0] working;
+    reg [319:0] working;
     reg [3:0] fresh;
     reg beat_valid, beat_reads, beat_pending;
     reg [1:0] beat_thread;  // Thread.
@@ -272,21 +272,21 @@ module search_queue (
     reg [1:0] item_thread;
     reg item_fresh;
     reg [15:0] new_index;  // The point's place in the point memory.
-    reg [23:0] new_distance2;  // Its squared distance.
+    reg [22:0] new_distance2;  // Its squared distance, but for the sign, which no square has.
     reg [7:0] nearer;
     reg new_last;
     reg [1:0] new_thread;
-    reg [23:0] farthest;
+    reg [22:0] farthest;
     reg [1:0] farthest_thread;
     reg farthest_valid, fetching, sending, readout_idle;
     reg [1:0] readout_thread;
     reg fetch_from_working, fetch_from_nothing;
-    wire [327:0] stored;
-    wire [51:0] query;
+    wire [319:0] stored;
+    wire [49:0] query;
     reg [15:0] item_index;  // The point's place in the point memory.
-    reg [23:0] item_distance2;  // Its squared distance.
+    reg [22:0] item_distance2;  // Its squared distance, but for the sign, which no square has.
     reg [3:0] from_leaf;
-    reg [327:0] sent_row;
+    reg [319:0] sent_row;
     reg [15:0] sent_number;
     reg [3:0] position;
 
@@ -294,43 +294,43 @@ module search_queue (
     wire [1:0] finish_queue_out_data;
 
     wire [3:0] next_position = position + 4'd1;
-    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
-    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[163] : sent_row[122]) : next_position[0] ? sent_row[81] : sent_row[40];
+    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[319] : sent_row[279]) : next_position[0] ? sent_row[239] : sent_row[199];
+    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[159] : sent_row[119]) : next_position[0] ? sent_row[79] : sent_row[39];
     wire last_result = (position == 4'd7) | ~(next_position[2] ? last_result_choice : last_result_choice_2);
-    wire result_found_choice = position[1] ? (position[0] ? sent_row[327] : sent_row[286]) : position[0] ? sent_row[245] : sent_row[204];
-    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[163] : sent_row[122]) : position[0] ? sent_row[81] : sent_row[40];
-    wire [15:0] result_index_choice = position[1] ? (position[0] ? sent_row[326:311] : sent_row[285:270]) : position[0] ? sent_row[244:229] : sent_row[203:188];
-    wire [15:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[162:147] : sent_row[121:106]) : position[0] ? sent_row[80:65] : sent_row[39:24];
-    wire [23:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
-    wire [23:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
+    wire result_found_choice = position[1] ? (position[0] ? sent_row[319] : sent_row[279]) : position[0] ? sent_row[239] : sent_row[199];
+    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[159] : sent_row[119]) : position[0] ? sent_row[79] : sent_row[39];
+    wire [15:0] result_index_choice = position[1] ? (position[0] ? sent_row[318:303] : sent_row[278:263]) : position[0] ? sent_row[238:223] : sent_row[198:183];
+    wire [15:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[158:143] : sent_row[118:103]) : position[0] ? sent_row[78:63] : sent_row[38:23];
+    wire [22:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[302:280] : sent_row[262:240]) : position[0] ? sent_row[222:200] : sent_row[182:160];
+    wire [22:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[142:120] : sent_row[102:80]) : position[0] ? sent_row[62:40] : sent_row[22:0];
+    wire [22:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
     wire write_back = item_reads & owned;
-    wire [15:0] inserted_row_choice = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] radius_radius2_choice = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire [15:0] inserted_row_choice_2 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] inserted_row_choice_3 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire [15:0] inserted_row_choice_4 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] inserted_row_choice_5 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire [15:0] inserted_row_choice_6 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] inserted_row_choice_7 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire [15:0] inserted_row_choice_8 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] inserted_row_choice_9 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire [15:0] inserted_row_choice_10 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] inserted_row_choice_11 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire [15:0] inserted_row_choice_12 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] inserted_row_choice_13 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
-    wire [327:0] inserted_row = {
-        nearer[7] ? (nearer[6] ? working[286] : 1'd1) : working[327], inserted_row_choice,
-        radius_radius2_choice, nearer[6] ? (nearer[5] ? working[245] : 1'd1) : working[286],
-        inserted_row_choice_2, inserted_row_choice_3,
-        nearer[5] ? (nearer[4] ? working[204] : 1'd1) : working[245], inserted_row_choice_4,
-        inserted_row_choice_5, nearer[4] ? (nearer[3] ? working[163] : 1'd1) : working[204],
-        inserted_row_choice_6, inserted_row_choice_7,
-        nearer[3] ? (nearer[2] ? working[122] : 1'd1) : working[163], inserted_row_choice_8,
-        inserted_row_choice_9, nearer[2] ? (nearer[1] ? working[81] : 1'd1) : working[122],
-        inserted_row_choice_10, inserted_row_choice_11,
-        nearer[1] ? (nearer[0] ? working[40] : 1'd1) : working[81], inserted_row_choice_12,
-        inserted_row_choice_13, nearer[0] ? 1'd1 : working[40], nearer[0] ? new_index : working[39:24],
-        nearer[0] ? new_distance2 : working[23:0]
+    wire [15:0] inserted_row_choice = nearer[7] ? (nearer[6] ? working[278:263] : new_index) : working[318:303];
+    wire [22:0] farthest_choice = nearer[7] ? (nearer[6] ? working[262:240] : new_distance2) : working[302:280];
+    wire [15:0] inserted_row_choice_2 = nearer[6] ? (nearer[5] ? working[238:223] : new_index) : working[278:263];
+    wire [22:0] inserted_row_choice_3 = nearer[6] ? (nearer[5] ? working[222:200] : new_distance2) : working[262:240];
+    wire [15:0] inserted_row_choice_4 = nearer[5] ? (nearer[4] ? working[198:183] : new_index) : working[238:223];
+    wire [22:0] inserted_row_choice_5 = nearer[5] ? (nearer[4] ? working[182:160] : new_distance2) : working[222:200];
+    wire [15:0] inserted_row_choice_6 = nearer[4] ? (nearer[3] ? working[158:143] : new_index) : working[198:183];
+    wire [22:0] inserted_row_choice_7 = nearer[4] ? (nearer[3] ? working[142:120] : new_distance2) : working[182:160];
+    wire [15:0] inserted_row_choice_8 = nearer[3] ? (nearer[2] ? working[118:103] : new_index) : working[158:143];
+    wire [22:0] inserted_row_choice_9 = nearer[3] ? (nearer[2] ? working[102:80] : new_distance2) : working[142:120];
+    wire [15:0] inserted_row_choice_10 = nearer[2] ? (nearer[1] ? working[78:63] : new_index) : working[118:103];
+    wire [22:0] inserted_row_choice_11 = nearer[2] ? (nearer[1] ? working[62:40] : new_distance2) : working[102:80];
+    wire [15:0] inserted_row_choice_12 = nearer[1] ? (nearer[0] ? working[38:23] : new_index) : working[78:63];
+    wire [22:0] inserted_row_choice_13 = nearer[1] ? (nearer[0] ? working[22:0] : new_distance2) : working[62:40];
+    wire [319:0] inserted_row = {
+        nearer[7] ? (nearer[6] ? working[279] : 1'd1) : working[319], inserted_row_choice, farthest_choice,
+        nearer[6] ? (nearer[5] ? working[239] : 1'd1) : working[279], inserted_row_choice_2,
+        inserted_row_choice_3, nearer[5] ? (nearer[4] ? working[199] : 1'd1) : working[239],
+        inserted_row_choice_4, inserted_row_choice_5,
+        nearer[4] ? (nearer[3] ? working[159] : 1'd1) : working[199], inserted_row_choice_6,
+        inserted_row_choice_7, nearer[3] ? (nearer[2] ? working[119] : 1'd1) : working[159],
+        inserted_row_choice_8, inserted_row_choice_9,
+        nearer[2] ? (nearer[1] ? working[79] : 1'd1) : working[119], inserted_row_choice_10,
+        inserted_row_choice_11, nearer[1] ? (nearer[0] ? working[39] : 1'd1) : working[79],
+        inserted_row_choice_12, inserted_row_choice_13, nearer[0] ? 1'd1 : working[39],
+        nearer[0] ? new_index : working[38:23], nearer[0] ? new_distance2 : working[22:0]
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
@@ -346,11 +346,11 @@ module search_queue (
     wire follows_beat = beat_thread == arrivals_head[66:65];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
-    wire [327:0] initial_row = {
-        17'd0, query[7] ? 24'd0 : query[31:8], 17'd0, query[6] ? 24'd0 : query[31:8], 17'd0,
-        query[5] ? 24'd0 : query[31:8], 17'd0, query[4] ? 24'd0 : query[31:8], 17'd0,
-        query[3] ? 24'd0 : query[31:8], 17'd0, query[2] ? 24'd0 : query[31:8], 17'd0,
-        query[1] ? 24'd0 : query[31:8], 17'd0, query[0] ? 24'd0 : query[31:8]
+    wire [319:0] initial_row = {
+        17'd0, query[29:7], 17'd0, query[6] ? 23'd0 : query[29:7], 17'd0, query[5] ? 23'd0 : query[29:7],
+        17'd0, query[4] ? 23'd0 : query[29:7], 17'd0, query[3] ? 23'd0 : query[29:7], 17'd0,
+        query[2] ? 23'd0 : query[29:7], 17'd0, query[1] ? 23'd0 : query[29:7], 17'd0,
+        query[0] ? 23'd0 : query[29:7]
     };
     wire reads = moves & beat_reads;
     wire [3:0] fresh_bits = {
@@ -367,31 +367,33 @@ module search_queue (
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
     wire farthest_will_be_known_both = (farthest_thread == arrivals_head[66:65]) & ~farthest_will_be_known_choice;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[47:24] < arrivals_head[23:0]) & (~farthest_will_be_known | (arrivals_head[47:24] < farthest));
+    wire beat_pending_either = ~farthest_will_be_known | (arrivals_head[47:24] < {1'd0, farthest});
+    wire beat_pending_both = (arrivals_head[47:24] < arrivals_head[23:0]) & beat_pending_either;
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
+    wire left_both = rest & (~farthest_is_known | (beat_distance0 < {1'd0, farthest}));
+    wire left = waits ? beat_pending : left_both;
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [7:0] nearer_entries_bits = {
-        item_distance2 < stored[310:287], item_distance2 < stored[269:246], item_distance2 < stored[228:205],
-        item_distance2 < stored[187:164], item_distance2 < stored[146:123], item_distance2 < stored[105:82],
-        item_distance2 < stored[64:41], item_distance2 < stored[23:0]
+        item_distance2 < stored[302:280], item_distance2 < stored[262:240], item_distance2 < stored[222:200],
+        item_distance2 < stored[182:160], item_distance2 < stored[142:120], item_distance2 < stored[102:80],
+        item_distance2 < stored[62:40], item_distance2 < stored[22:0]
     };
-    wire nearer_entries_in_order = item_distance2 < working[269:246];
+    wire nearer_entries_in_order = item_distance2 < working[262:240];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[310:287]);
-    wire nearer_entries_in_order_3 = item_distance2 < working[228:205];
+    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[302:280]);
+    wire nearer_entries_in_order_3 = item_distance2 < working[222:200];
     wire nearer_entries_choice_2 = nearer[5] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = item_distance2 < working[187:164];
+    wire nearer_entries_in_order_4 = item_distance2 < working[182:160];
     wire nearer_entries_choice_3 = nearer[4] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = item_distance2 < working[146:123];
+    wire nearer_entries_in_order_5 = item_distance2 < working[142:120];
     wire nearer_entries_choice_4 = nearer[3] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = item_distance2 < working[105:82];
+    wire nearer_entries_in_order_6 = item_distance2 < working[102:80];
     wire nearer_entries_choice_5 = nearer[2] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = item_distance2 < working[64:41];
+    wire nearer_entries_in_order_7 = item_distance2 < working[62:40];
     wire nearer_entries_choice_6 = nearer[1] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = item_distance2 < working[23:0];
+    wire nearer_entries_in_order_8 = item_distance2 < working[22:0];
     wire nearer_entries_choice_7 = nearer[0] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
     wire nearer_entries_choice_8 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_8;
     wire [7:0] nearer_entries_bits_2 = {
@@ -402,7 +404,7 @@ module search_queue (
         nearer[2] ? nearer_entries_choice_6 : nearer_entries_in_order_6,
         nearer[1] ? nearer_entries_choice_7 : nearer_entries_in_order_7, nearer_entries_choice_8
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? ~query[7:0] : nearer_entries_bits) : nearer_entries_bits_2;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? {1'd1, ~query[6:0]} : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [3:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
@@ -420,17 +422,17 @@ module search_queue (
     assign result_last = last_result;
     assign result_found = position[2] ? result_found_choice : result_found_choice_2;
     assign result_index = position[2] ? result_index_choice : result_index_choice_2;
-    assign result_distance2 = position[2] ? result_distance2_choice : result_distance2_choice_2;
+    assign result_distance2 = {1'd0, result_distance2_choice_3};
 
-    memory_1w1r #(.WIDTH(328), .DEPTH(4)) rows (
+    memory_1w1r #(.WIDTH(320), .DEPTH(4)) rows (
         .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
-    memory_1w1r #(.WIDTH(52), .DEPTH(4)) queries (
+    memory_1w1r #(.WIDTH(50), .DEPTH(4)) queries (
         .clk(clk), .write(start_valid), .write_address(start_thread),
         .write_data({
-            start_number, start_k, start_radius2, start_k < 4'd1, start_k < 4'd2, start_k < 4'd3, start_k < 4'd4,
+            start_number, start_k, start_radius2[22:0], start_k < 4'd2, start_k < 4'd3, start_k < 4'd4,
             start_k < 4'd5, start_k < 4'd6, start_k < 4'd7, start_k < 4'd8
         }),
         .read(1'd1), .read_address(read_thread), .read_data(query)
@@ -463,7 +465,6 @@ module search_queue (
             fetching <= 1'd0;
             sending <= 1'd0;
             readout_idle <= 1'd1;
-            from_leaf <= 4'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
         end else begin
@@ -485,7 +486,6 @@ module search_queue (
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
             released_valid <= fetching;
             event_beat <= moves;
             if (arrivals_write_address_enable_both) begin
@@ -504,13 +504,14 @@ module search_queue (
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= radius_radius2_choice;
-        farthest <= radius_radius2_choice;
+        radius_radius2 <= {1'd0, farthest_choice};
+        farthest <= farthest_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= beat_address;
-        item_distance2 <= beat_distance0;
+        item_distance2 <= beat_distance0[22:0];
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
             beat_thread <= arrivals_head[66:65];
@@ -521,10 +522,10 @@ module search_queue (
         if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
-            sent_number <= query[51:36];
+            sent_number <= query[49:34];
         end
         if (fetching | result_transfer) begin
-            position <= fetching ? (4'd8 - query[35:32]) : next_position;
+            position <= fetching ? (4'd8 - query[33:30]) : next_position;
         end
     end
     always @(posedge clk) begin
@@ -675,16 +676,14 @@ module search_sieve (
     always @(posedge clk) begin
         if (rst) begin
             s1_valid <= 1'd0;
-            from_leaf <= 4'd0;
             s2_valid <= 1'd0;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
             if (advance) s1_valid <= candidates_queue_out_valid;
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
+            if (decides) s2_valid <= s1_valid;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
-            if (decides) s2_valid <= s1_valid;
         end
     end
     always @(posedge clk) begin
@@ -695,6 +694,8 @@ module search_sieve (
             s1_distance0 <= candidates_queue_out_distance0;
             radius2 <= radius2_shifted[0] ? leaf_radius2 : query_radius2;
         end
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
+        skipped_thread <= s2_thread;
         if (decides) begin
             s2_survives <= s1_distance0 < radius2;
             s2_thread <= s1_thread;
@@ -708,7 +709,6 @@ module search_sieve (
             held_address <= s2_address;
             held_distance0 <= s2_distance0;
         end
-        skipped_thread <= s2_thread;
     end
     always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
@@ -1346,7 +1346,6 @@ module search_recursion (
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
             r2_valid <= 1'd0;
-            from_leaf <= 4'd0;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
         end else begin
@@ -1355,7 +1354,6 @@ module search_recursion (
                 r1_valid <= r0_valid;
                 r2_valid <= r1_valid;
             end
-            from_leaf <= (from_leaf & ~query_set) | leaf_set;
             empty_valid <= decides & ~found;
             event_pop <= popped;
         end
@@ -1370,6 +1368,7 @@ module search_recursion (
             path_distance2 <= top_distance2;
             radius2 <= from_leaf_shifted_by_r1_thread[0] ? leaf_radius2 : query_radius2;
         end
+        from_leaf <= (from_leaf & ~query_set) | leaf_set;
         empty_thread <= r2_thread;
     end
     always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
@@ -1378,10 +1377,20 @@ module search_recursion (
     wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[3:1], start_k, start_number, start_x, start_y, start_z};
 
 `ifdef RTL_ASSERT
+    reg [3:0] begun;
+
+    wire [3:0] begun_shifted_by_r0_thread = begun >> r0_thread;
+
+    always @(posedge clk) begin
+        if (rst) begun <= 4'd0;
+        else begun <= begun | query_set;
+    end
+
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
         radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 24'h800000));
+        a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
@@ -1389,8 +1398,13 @@ module search_recursion (
         if (!(~radius_valid | (radius_radius2 < 24'h800000))) begin
             $display("assertion failed: radius_radius2_in_range in %m"); $stop;
         end
+        if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
+            $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
+        end
 `endif
     end
+
+    wire _unused_by_checks = &{1'b0, begun_shifted_by_r0_thread[3:1]};
 `endif
 endmodule
 
