@@ -1,6 +1,7 @@
 //! `bus_reader` against its model: a memory that answers in order, now and then with an error or a misplaced `rlast`.
 
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 
 use pointcore_contract::bus::axi::BurstAddress;
 use pointcore_contract::bus::config::ADDRESS_BITS;
@@ -20,7 +21,8 @@ const BORDER_BYTES: u32 = 4096;
 const BURSTS_MAX: usize = 16;
 /// `INCR`.
 const INCREMENTING: u8 = 1;
-const SLAVE_ERROR: u64 = 2;
+/// Responses other than `OKAY`.
+const ERRORS: RangeInclusive<u64> = 1..=3;
 
 /// A byte of the memory, from its address.
 fn byte(address: u32) -> u8 {
@@ -122,7 +124,7 @@ fn exchange<R: Record<Domain = Words> + PartialEq>(
                 } else {
                     is_end != has_misplaced
                 };
-                let resp = if fault(&mut random, 6) { SLAVE_ERROR } else { 0 };
+                let resp = if fault(&mut random, 6) { random.u64(ERRORS) } else { 0 };
                 let mut item = vec![random.u64(..16)];
                 item.extend(words(&memory(first + beat * beat_bytes, beat_bytes)));
                 item.extend([resp, last.into()]);

@@ -1,6 +1,7 @@
 //! `bus_writer` against its model.
 
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 
 use pointcore_contract::bus::axi::BurstAddress;
 use pointcore_contract::bus::config::ADDRESS_BITS;
@@ -19,7 +20,8 @@ const RECORDS: u32 = 200;
 const WRITES_MAX: u32 = 16;
 /// `INCR`.
 const INCREMENTING: u8 = 1;
-const SLAVE_ERROR: u64 = 2;
+/// Responses other than `OKAY`.
+const ERRORS: RangeInclusive<u64> = 1..=3;
 /// A share of idle cycles such that hardly anything moves.
 const HARDLY: f64 = 0.98;
 
@@ -99,7 +101,7 @@ fn exchange(
         // A memory answers when it has both.
         while answerable < u32::min(addressed, sent) {
             answerable += 1;
-            answer.items.push_back(vec![random.u64(..16), if random.u8(..6) == 0 { SLAVE_ERROR } else { 0 }]);
+            answer.items.push_back(vec![random.u64(..16), if random.u8(..6) == 0 { random.u64(ERRORS) } else { 0 }]);
         }
     }
     let cycles = bench.cycle;
