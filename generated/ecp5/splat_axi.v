@@ -465,7 +465,7 @@ module bus_writer (
     reg [15:0] held_attribute_10, held_attribute_11, held_attribute_12, held_cardinal_0;
 
     wire address_queue_in_ready;
-    wire [25:0] address_queue_out_data;
+    wire [33:0] address_queue_out_data;
     wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
@@ -475,6 +475,7 @@ module bus_writer (
     wire below_limit = ~(unanswered == 5'd16);
     wire accepts = address_queue_in_ready & below_limit;
     wire takes_record = (~held | leaves) & accepts;
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire takes = in_valid & takes_record;
     wire accepted = takes;
     wire [63:0] beat_queue_in_data_bits = {held_attribute_10, held_attribute_9, held_attribute_8, held_attribute_7};
@@ -487,8 +488,8 @@ module bus_writer (
 
     assign in_ready = takes_record;
     assign m_axi_awid = 4'd0;
-    assign m_axi_awaddr = {address_queue_out_data, 6'd0};
-    assign m_axi_awlen = 8'd7;
+    assign m_axi_awaddr = {address_queue_out_address, 6'd0};
+    assign m_axi_awlen = address_queue_out_data[7:0];
     assign m_axi_awsize = 3'd3;
     assign m_axi_awburst = 2'd1;
     assign m_axi_wdata = beat_queue_out_data[64:1];
@@ -497,9 +498,9 @@ module bus_writer (
     assign m_axi_bready = 1'd1;
     assign idle = unanswered == 5'd0;
 
-    stream_skid_w26 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(accepted), .in_ready(address_queue_in_ready),
-        .in_data(in_address[31:6]),
+        .in_data({in_address[31:6], 8'd7}),
         .out_valid(m_axi_awvalid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
     );
 
@@ -547,49 +548,6 @@ module bus_writer (
     wire _unused = &{1'b0, in_address[5:0], m_axi_bid};
 endmodule
 
-// Queue of two in registers.
-// width = 26
-module stream_skid_w26 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
-);
-    reg second_valid;
-    reg [25:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
 // Reads records from memory in bursts.
 // beats = 8
 // width = 64
@@ -634,7 +592,7 @@ module bus_reader (
     reg held;
     reg [25:0] address;
     reg [3:0] records;
-    reg [5:0] number;
+    reg [7:0] number;
     reg [27:0] held_weight_0;
     reg [51:0] held_depth_0;
     reg [15:0] held_peak_0, held_attribute_0_0, held_attribute_1_0, held_attribute_2_0, held_attribute_3_0;
@@ -643,9 +601,9 @@ module bus_reader (
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [31:0] address_queue_out_data;
+    wire [33:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
-    wire [5:0] length_queue_out_data;
+    wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
@@ -653,11 +611,10 @@ module bus_reader (
     wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
     wire crosses = room_records < {2'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [25:0] address_queue_out_address = address_queue_out_data[31:6];
-    wire [5:0] address_queue_out_length = address_queue_out_data[5:0];
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {2'd0, records};
     wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
-    wire [5:0] length = length_difference[5:0];
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
@@ -677,7 +634,7 @@ module bus_reader (
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
-    assign m_axi_arlen = {2'd0, address_queue_out_length};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_weight = held_weight_0;
@@ -698,13 +655,13 @@ module bus_reader (
     assign record_attribute_12 = held_attribute_12_0;
     assign record_cardinal_0 = held_cardinal_0_0;
 
-    stream_skid_w32 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d16_w6 length_queue (
+    stream_fifo_d16_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -720,7 +677,7 @@ module bus_reader (
         if (rst) begin
             held <= 1'd0;
             record_valid <= 1'd0;
-            number <= 6'd0;
+            number <= 8'd0;
             error <= 1'd0;
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
@@ -728,7 +685,7 @@ module bus_reader (
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
-                number <= ends ? 6'd0 : (number + 6'd1);
+                number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
@@ -767,20 +724,20 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, length_difference[8:6], m_axi_rid, records_minus_room_records[5:4], request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:4], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 6
-module stream_fifo_d16_w6 (
+// width = 8
+module stream_fifo_d16_w8 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [5:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [5:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    wire [5:0] item;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -790,7 +747,7 @@ module stream_fifo_d16_w6 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(6), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -827,14 +784,14 @@ module stream_fifo_d16_w6 (
 endmodule
 
 // Queue of two in registers.
-// width = 32
-module stream_skid_w32 (
+// width = 34
+module stream_skid_w34 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
-    reg [31:0] head, second;
+    reg [33:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

@@ -352,15 +352,15 @@ module bus_reader_v2 (
     reg held;
     reg [26:0] address;
     reg [2:0] records;
-    reg [3:0] number;
+    reg [7:0] number;
     reg [31:0] held_position_x_0, held_position_y_0, held_position_z_0, held_normal_x_0, held_normal_y_0;
     reg [31:0] held_normal_z_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [30:0] address_queue_out_data;
+    wire [34:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
-    wire [3:0] length_queue_out_data;
+    wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
@@ -368,11 +368,10 @@ module bus_reader_v2 (
     wire [6:0] room_records = 7'd64 - {1'd0, address[5:0]};
     wire crosses = room_records < {4'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [26:0] address_queue_out_address = address_queue_out_data[30:4];
-    wire [3:0] address_queue_out_length = address_queue_out_data[3:0];
+    wire [26:0] address_queue_out_address = address_queue_out_data[34:8];
     wire [6:0] burst = crosses ? room_records : {4'd0, records};
     wire [8:0] length_difference = {burst, 2'd0} - 9'd1;
-    wire [3:0] length = length_difference[3:0];
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
@@ -389,7 +388,7 @@ module bus_reader_v2 (
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 5'd0};
-    assign m_axi_arlen = {4'd0, address_queue_out_length};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_position_x = held_position_x_0;
@@ -399,13 +398,13 @@ module bus_reader_v2 (
     assign record_normal_y = held_normal_y_0;
     assign record_normal_z = held_normal_z_0;
 
-    stream_skid_w31 address_queue (
+    stream_skid_w35 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d16_w4 length_queue (
+    stream_fifo_d16_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -421,7 +420,7 @@ module bus_reader_v2 (
         if (rst) begin
             held <= 1'd0;
             record_valid <= 1'd0;
-            number <= 4'd0;
+            number <= 8'd0;
             error <= 1'd0;
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
@@ -429,7 +428,7 @@ module bus_reader_v2 (
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= moves & (number[1:0] == 2'd3);
             if (moves) begin
-                number <= ends ? 4'd0 : (number + 4'd1);
+                number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
@@ -455,63 +454,7 @@ module bus_reader_v2 (
         end
     end
 
-    wire _unused = &{1'b0, length_difference[8:4], m_axi_rid, records_minus_room_records[6:3], request_address[4:0]};
-endmodule
-
-// Queue in a memory with a registered output.
-// depth = 16
-// width = 4
-module stream_fifo_d16_w4 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [3:0] out_data
-);
-    reg [4:0] held, waiting;
-    reg [3:0] write_address, read_address;
-    wire [3:0] item;
-
-    wire has_room = ~held[4];
-    wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
-    wire pop = out_valid & out_ready;
-
-    assign in_ready = has_room;
-    assign out_data = item;
-
-    memory_1w1r_unordered #(.WIDTH(4), .DEPTH(16)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
-        .read(fetch), .read_address(read_address), .read_data(item)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 5'd0;
-            waiting <= 5'd0;
-            write_address <= 4'd0;
-            read_address <= 4'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 4'd1;
-            if (fetch) read_address <= read_address + 4'd1;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        held_in_range: assert (held <= 5'd16);
-        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
-`else
-        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {4'd0, out_valid}))) begin
-            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[6:3], request_address[4:0]};
 endmodule
 
 // Takes bursts of words into a memory, and refuses all others.
@@ -724,15 +667,15 @@ module bus_reader (
     reg held;
     reg [25:0] address;
     reg [2:0] records;
-    reg [4:0] number;
+    reg [7:0] number;
     reg [31:0] held_x0_0, held_y0_0, held_z0_0, held_x1_0, held_y1_0, held_z1_0, held_x2_0, held_y2_0, held_z2_0;
     reg [31:0] held_x3_0, held_y3_0, held_z3_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [30:0] address_queue_out_data;
+    wire [33:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
-    wire [4:0] length_queue_out_data;
+    wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
@@ -740,11 +683,10 @@ module bus_reader (
     wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
     wire crosses = room_records < {3'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [25:0] address_queue_out_address = address_queue_out_data[30:5];
-    wire [4:0] address_queue_out_length = address_queue_out_data[4:0];
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {3'd0, records};
     wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
-    wire [4:0] length = length_difference[4:0];
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
@@ -764,7 +706,7 @@ module bus_reader (
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
-    assign m_axi_arlen = {3'd0, address_queue_out_length};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_x0 = held_x0_0;
@@ -780,13 +722,13 @@ module bus_reader (
     assign record_y3 = held_y3_0;
     assign record_z3 = held_z3_0;
 
-    stream_skid_w31 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d16_w5 length_queue (
+    stream_fifo_d16_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -802,7 +744,7 @@ module bus_reader (
         if (rst) begin
             held <= 1'd0;
             record_valid <= 1'd0;
-            number <= 5'd0;
+            number <= 8'd0;
             error <= 1'd0;
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
@@ -810,7 +752,7 @@ module bus_reader (
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
-                number <= ends ? 5'd0 : (number + 5'd1);
+                number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
@@ -848,20 +790,20 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, length_difference[8:5], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 5
-module stream_fifo_d16_w5 (
+// width = 8
+module stream_fifo_d16_w8 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [4:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [4:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    wire [4:0] item;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -871,7 +813,7 @@ module stream_fifo_d16_w5 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(5), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -901,49 +843,6 @@ module stream_fifo_d16_w5 (
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue of two in registers.
-// width = 31
-module stream_skid_w31 (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [30:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [30:0] out_data
-);
-    reg second_valid;
-    reg [30:0] head, second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-
-    assign out_data = head;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
-        if (in_ready) second <= in_data;
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
-`else
-        if (!(out_valid | in_ready)) begin
-            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
     end

@@ -431,14 +431,15 @@ module bus_reader (
 );
     reg held;
     reg [27:0] address;
-    reg [3:0] records, number;
+    reg [3:0] records;
+    reg [7:0] number;
     reg [23:0] held_x0_0, held_y0_0, held_z0_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [31:0] address_queue_out_data;
+    wire [35:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
-    wire [3:0] length_queue_out_data;
+    wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [48:0] beat_queue_out_data;
 
@@ -446,11 +447,10 @@ module bus_reader (
     wire [7:0] room_records = 8'd128 - {1'd0, address[6:0]};
     wire crosses = room_records < {4'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [27:0] address_queue_out_address = address_queue_out_data[31:4];
-    wire [3:0] address_queue_out_length = address_queue_out_data[3:0];
+    wire [27:0] address_queue_out_address = address_queue_out_data[35:8];
     wire [7:0] burst = crosses ? room_records : {4'd0, records};
     wire [8:0] length_difference = {burst, 1'd0} - 9'd1;
-    wire [3:0] length = length_difference[3:0];
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
@@ -466,20 +466,20 @@ module bus_reader (
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 4'd0};
-    assign m_axi_arlen = {4'd0, address_queue_out_length};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_x0 = held_x0_0;
     assign record_y0 = held_y0_0;
     assign record_z0 = held_z0_0;
 
-    stream_skid_w32 address_queue (
+    stream_skid_w36 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d4_w4 length_queue (
+    stream_fifo_d4_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -495,7 +495,7 @@ module bus_reader (
         if (rst) begin
             held <= 1'd0;
             record_valid <= 1'd0;
-            number <= 4'd0;
+            number <= 8'd0;
             error <= 1'd0;
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
@@ -503,7 +503,7 @@ module bus_reader (
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= takes_beat_1;
             if (moves) begin
-                number <= ends ? 4'd0 : (number + 4'd1);
+                number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
@@ -523,7 +523,7 @@ module bus_reader (
     end
 
     wire _unused = &{
-        1'b0, length_difference[8:4], m_axi_rdata[31:24], m_axi_rdata[63:56], m_axi_rid,
+        1'b0, length_difference[8], m_axi_rdata[31:24], m_axi_rdata[63:56], m_axi_rid,
         records_minus_room_records[7:4], request_address[3:0]
     };
 endmodule
@@ -573,15 +573,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 4
-// width = 4
-module stream_fifo_d4_w4 (
+// width = 8
+module stream_fifo_d4_w8 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [3:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [2:0] held, waiting;
     reg [1:0] write_address, read_address;
-    wire [3:0] item;
+    wire [7:0] item;
 
     wire has_room = ~held[2];
     wire push = in_valid & has_room;
@@ -591,7 +591,7 @@ module stream_fifo_d4_w4 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(4), .DEPTH(4)) entries (
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(4)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -628,14 +628,14 @@ module stream_fifo_d4_w4 (
 endmodule
 
 // Queue of two in registers.
-// width = 32
-module stream_skid_w32 (
+// width = 36
+module stream_skid_w36 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [35:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [35:0] out_data
 );
     reg second_valid;
-    reg [31:0] head, second;
+    reg [35:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

@@ -286,13 +286,14 @@ module bus_reader_v2 (
     reg [63:0] held_word_0;
 
     wire address_queue_in_ready;
-    wire [28:0] address_queue_out_data;
+    wire [36:0] address_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
     wire below_limit = ~(under_way == 5'd16);
     wire issues = held & (address_queue_in_ready & below_limit);
     wire takes_request = ~held | issues;
+    wire [28:0] address_queue_out_address = address_queue_out_data[36:8];
     wire advance = ~record_valid | record_ready;
     wire misplaced_inverted = ~(|under_way);
     wire beat_queue_out_ready = advance | misplaced_inverted;
@@ -301,14 +302,14 @@ module bus_reader_v2 (
 
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
-    assign m_axi_araddr = {address_queue_out_data, 3'd0};
-    assign m_axi_arlen = 8'd0;
+    assign m_axi_araddr = {address_queue_out_address, 3'd0};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_word = held_word_0;
 
-    stream_skid_w29 address_queue (
-        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready), .in_data(address),
+    stream_skid_w37 address_queue (
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, 8'd0}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
@@ -339,6 +340,49 @@ module bus_reader_v2 (
     end
 
     wire _unused = &{1'b0, m_axi_rid, request_address[2:0], request_records};
+endmodule
+
+// Queue of two in registers.
+// width = 37
+module stream_skid_w37 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [36:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [36:0] out_data
+);
+    reg second_valid;
+    reg [36:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.
@@ -436,15 +480,15 @@ module bus_reader (
     reg held;
     reg [25:0] address;
     reg [2:0] records;
-    reg [4:0] number;
+    reg [7:0] number;
     reg [31:0] held_x0_0, held_y0_0, held_z0_0, held_x1_0, held_y1_0, held_z1_0, held_x2_0, held_y2_0, held_z2_0;
     reg [31:0] held_x3_0, held_y3_0, held_z3_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [30:0] address_queue_out_data;
+    wire [33:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
-    wire [4:0] length_queue_out_data;
+    wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
@@ -452,11 +496,10 @@ module bus_reader (
     wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
     wire crosses = room_records < {3'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [25:0] address_queue_out_address = address_queue_out_data[30:5];
-    wire [4:0] address_queue_out_length = address_queue_out_data[4:0];
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {3'd0, records};
     wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
-    wire [4:0] length = length_difference[4:0];
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
@@ -476,7 +519,7 @@ module bus_reader (
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
-    assign m_axi_arlen = {3'd0, address_queue_out_length};
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign record_x0 = held_x0_0;
@@ -492,13 +535,13 @@ module bus_reader (
     assign record_y3 = held_y3_0;
     assign record_z3 = held_z3_0;
 
-    stream_skid_w31 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_d16_w5 length_queue (
+    stream_fifo_d16_w8 length_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
@@ -514,7 +557,7 @@ module bus_reader (
         if (rst) begin
             held <= 1'd0;
             record_valid <= 1'd0;
-            number <= 5'd0;
+            number <= 8'd0;
             error <= 1'd0;
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
@@ -522,7 +565,7 @@ module bus_reader (
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
-                number <= ends ? 5'd0 : (number + 5'd1);
+                number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
@@ -560,20 +603,20 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, length_difference[8:5], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 5
-module stream_fifo_d16_w5 (
+// width = 8
+module stream_fifo_d16_w8 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [4:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [4:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    wire [4:0] item;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -583,7 +626,7 @@ module stream_fifo_d16_w5 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(5), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -620,14 +663,14 @@ module stream_fifo_d16_w5 (
 endmodule
 
 // Queue of two in registers.
-// width = 31
-module stream_skid_w31 (
+// width = 34
+module stream_skid_w34 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [30:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [30:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
-    reg [30:0] head, second;
+    reg [33:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

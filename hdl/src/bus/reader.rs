@@ -18,53 +18,24 @@ use crate::stream::{fifo, skid};
 use crate::units::passage::Passage;
 use crate::units::ports::{ChannelInPorts, ChannelOutPorts, Flow, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, Wires, layout};
-use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
+use rtl::{Module, Reg, Wire, address_width, bit, cat, lit};
 
-/// What the bursts of a channel have in common.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bursts {
-    /// Bytes from one record to the next, as a power of two.
-    pub stride: u32,
-    /// How many beats they have.
-    pub beats: BurstBeats,
-}
-
-/// The beats of a channel's bursts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum BurstBeats {
-    /// So many each.
-    Equal(u32),
-    /// So many at most.
-    AtMost(u32),
-}
-
-impl BurstBeats {
-    /// Bits that tell a burst's length, which is one less than its beats; none where all have one length.
-    fn length_bits(self) -> u32 {
-        match self {
-            Self::Equal(_) => 0,
-            Self::AtMost(beats) => address_width(beats),
-        }
-    }
-}
-
-/// What an address channel says of a burst.
-#[record(bursts: Bursts)]
+/// What an address channel says of a burst of records of a stride.
+#[record(stride: u32)]
 pub(super) struct Burst {
     /// The first record's address, in strides.
-    #[bits(ADDRESS_BITS - bursts.stride)]
+    #[bits(ADDRESS_BITS - *stride)]
     pub address: u32,
     /// One less than its beats.
-    #[when(bursts.beats.length_bits() > 0)]
-    #[bits(bursts.beats.length_bits())]
+    #[bits(LENGTH_BITS)]
     pub length: u8,
 }
 
 /// The length of a burst under way.
-#[record(bursts: Bursts)]
+#[record(config: ())]
 struct Length {
     /// One less than its beats.
-    #[bits(bursts.beats.length_bits())]
+    #[bits(LENGTH_BITS)]
     length: u8,
 }
 
@@ -86,16 +57,8 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     let request = ports.request.declare(&mut m, &records_max);
     let stride = Layout::record::<R>(config).stride(memory_bits).ilog2();
     let chunk_records = chunk_records::<R>(config, memory_bits);
-    let record_beats = 1 << (stride - (memory_bits / 8).ilog2());
-    let bursts = Bursts {
-        stride,
-        beats: match records_max {
-            1 => BurstBeats::Equal(record_beats),
-            _ => BurstBeats::AtMost(records_max.min(chunk_records) * record_beats),
-        },
-    };
-    let (burst, under_way) = issue(&mut m, &request, &bursts, chunk_records, memory_bits, records_max, reads_max);
-    address_out(&mut m, ports.memory.address, &burst, &bursts, memory_bits / 8);
+    let (burst, under_way) = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
+    address_out(&mut m, ports.memory.address, &burst, stride, memory_bits / 8);
 
     let bits = &beats.used_bits();
     let queue = Passage::<Beat>::place(&mut m, "beat_queue", skid(&layout::<Beat>(bits)));
@@ -115,7 +78,7 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     m.drive(head.ready, advance | !expected);
 
     // The number of the beat in its burst; its low bits are the place in the record.
-    let number_bits = bursts.beats.length_bits().max(beats.place_bits());
+    let number_bits = if matches!(under_way, UnderWay::Lengths(_)) { LENGTH_BITS } else { beats.place_bits() };
     let number = (number_bits > 0).then(|| m.reg_reset("number", number_bits, 0));
     let ends = match (&number, &under_way) {
         (Some(number), UnderWay::Lengths(lengths)) => number.eq(lengths.record.length),
@@ -155,22 +118,21 @@ enum UnderWay {
 }
 
 /// Splits requests into bursts; returns those for the address channel, and those under way.
-fn issue(
+fn bursts(
     m: &mut Module,
     request: &Flow<ReadRequest<Wires>>,
-    bursts: &Bursts,
+    stride: u32,
     chunk_records: u32,
     memory_bits: u32,
     records_max: u32,
     reads_max: u32,
 ) -> (Flow<Burst<Wires>>, UnderWay) {
-    let stride = bursts.stride;
     let beat_bytes = memory_bits / 8;
     debug_assert_eq!(chunk_records << stride, BORDER_BYTES.min(BURST_BEATS_MAX * beat_bytes));
     let record_beats_log2 = stride - beat_bytes.ilog2();
     let held = m.reg_reset("held", 1, 0);
     let address = m.reg("address", ADDRESS_BITS - stride);
-    let queue = Passage::<Burst>::place(m, "address_queue", skid(&layout::<Burst>(bursts)));
+    let queue = Passage::<Burst>::place(m, "address_queue", skid(&layout::<Burst>(&stride)));
     let room = queue.room(m);
     let asked_address = request.record.address.bits(ADDRESS_BITS - 1, stride);
     let issues;
@@ -186,7 +148,7 @@ fn issue(
         m.drive(request.ready, ready);
         m.next_if(held, ready, request.valid);
         m.next_if(address, ready, asked_address);
-        length = Expr::default();
+        length = lit(LENGTH_BITS, (1 << record_beats_log2) - 1);
         under_way = UnderWay::Count { count, ends };
     } else {
         let records = m.reg("records", request.record.records.width());
@@ -197,7 +159,7 @@ fn issue(
         let wanted = records.zext(width);
         let crosses = m.wire("crosses", wanted.gt(room_records));
         let burst = m.wire("burst", crosses.mux(room_records, wanted));
-        let queue = fifo(reads_max, &layout::<Length>(bursts));
+        let queue = fifo(reads_max, &layout::<Length>(&()));
         let lengths = Passage::<Length>::place(m, "length_queue", queue);
         let below_limit = lengths.room(m);
         issues = m.wire("issues", held & (room & below_limit));
@@ -211,33 +173,29 @@ fn issue(
         m.next_if(address, changes, ready.mux(asked_address, beyond));
         let left = (wanted - room_records).trunc(records.width());
         m.next_if(records, changes, ready.mux(request.record.records, left));
+        // At most 256 beats: one less fits the length.
         let beats = match record_beats_log2 {
-            0 => burst,
-            shift => cat([burst, lit(shift, 0)]),
+            0 => burst.resize(LENGTH_BITS + 1),
+            shift => cat([burst.resize(LENGTH_BITS + 1 - shift), lit(shift, 0)]),
         };
-        // One less than the most beats fits the length.
-        length = m.wire("length", beats.sub_lit(1).trunc(bursts.beats.length_bits()));
-        lengths.push(m, bursts, issues, Length { length });
-        under_way = UnderWay::Lengths(lengths.out(m, bursts));
+        length = m.wire("length", beats.sub_lit(1).trunc(LENGTH_BITS));
+        lengths.push(m, &(), issues, Length { length });
+        under_way = UnderWay::Lengths(lengths.out(m, &()));
     }
-    queue.push(m, bursts, issues, Burst { address: address.expr(), length });
-    (queue.out(m, bursts), under_way)
+    queue.push(m, &stride, issues, Burst { address: address.expr(), length });
+    (queue.out(m, &stride), under_way)
 }
 
-/// Drives an address channel from a queue of record addresses and, where they differ, lengths.
+/// Drives an address channel from a queue of record addresses and lengths.
 pub(super) fn address_out(
     m: &mut Module,
     channel: ChannelOut<BurstAddress>,
     queue: &Flow<Burst<Wires>>,
-    bursts: &Bursts,
+    stride: u32,
     beat_bytes: u32,
 ) {
     let Burst { address, length } = queue.record;
-    let address = if bursts.stride == 0 { address } else { cat([address, lit(bursts.stride, 0)]) };
-    let length = match bursts.beats {
-        BurstBeats::Equal(beats) => lit(LENGTH_BITS, u128::from(beats) - 1),
-        BurstBeats::AtMost(_) => length.zext(LENGTH_BITS),
-    };
+    let address = if stride == 0 { address } else { cat([address, lit(stride, 0)]) };
     let (size, burst) = (size_of(beat_bytes), INCREMENTING.expr());
     let said = BurstAddress { id: lit(ID_BITS, 0), address, length, size, burst };
     let ready = channel.drive(m, &ADDRESS_BITS, queue.valid, said);

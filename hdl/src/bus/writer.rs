@@ -8,15 +8,15 @@ use pointcore_contract::bus::config::WRITES_MAX;
 use pointcore_contract::bus::units::Addressed;
 use pointcore_contract::bus::units::writer::Ports;
 
-use super::ADDRESS_BITS;
 use super::parts::beats::{Beat, Beats};
 use super::parts::spread::spread;
-use super::reader::{Burst, BurstBeats, Bursts, address_out};
+use super::reader::{Burst, address_out};
+use super::{ADDRESS_BITS, LENGTH_BITS};
 use crate::stream::skid;
 use crate::units::passage::Passage;
 use crate::units::ports::{ChannelInPorts, ChannelOutPorts, StreamInPorts, WordPort};
 use crate::units::wires::{Bundle, layout};
-use rtl::{Module, address_width, bit};
+use rtl::{Module, address_width, bit, lit};
 
 /// The unit for records of these fields; ports as in `contract::bus::units::writer`.
 #[must_use]
@@ -30,7 +30,6 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, writes_max: u32)
     let ports = Ports::<R>::ALL;
     let beats = Beats::memory::<R>(config, memory_bits);
     let stride = Layout::record::<R>(config).stride(memory_bits).ilog2();
-    let bursts = Bursts { stride, beats: BurstBeats::Equal(beats.count) };
     let mut m = Module::new("bus_writer", "Writes records to memory, each in a burst.");
     m.parameter("beats", beats.count);
     m.parameter("width", memory_bits);
@@ -39,16 +38,17 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, writes_max: u32)
 
     let unanswered = m.reg_reset("unanswered", address_width(writes_max + 1), 0);
     let below_limit = m.wire("below_limit", !unanswered.eq_lit(writes_max.into()));
-    let queue = Passage::<Burst>::place(&mut m, "address_queue", skid(&layout::<Burst>(&bursts)));
+    let queue = Passage::<Burst>::place(&mut m, "address_queue", skid(&layout::<Burst>(&stride)));
     let room = queue.room(&mut m);
     let accepts = m.wire("accepts", room & below_limit);
     let words = spread(&mut m, &beats, input.valid, &record.values(config), accepts);
     m.drive(input.ready, words.ready);
     let accepted = m.wire("accepted", input.valid & words.ready);
     let first = address.bits(ADDRESS_BITS - 1, stride);
-    queue.push(&mut m, &bursts, accepted, Burst { address: first, ..Burst::default() });
-    let burst = queue.out(&mut m, &bursts);
-    address_out(&mut m, ports.memory.address, &burst, &bursts, memory_bits / 8);
+    let burst = Burst { address: first, length: lit(LENGTH_BITS, beats.count as u128 - 1) };
+    queue.push(&mut m, &stride, accepted, burst);
+    let burst = queue.out(&mut m, &stride);
+    address_out(&mut m, ports.memory.address, &burst, stride, memory_bits / 8);
 
     let Beat { data, last } = words.out.record;
     let beat = WriteBeat { data, strobes: bit(true).repeat(memory_bits / 8), last };
