@@ -6,6 +6,8 @@
 //! them: some say what its neighbors never do. Inputs are free otherwise, so a mutant counts even where only inputs show
 //! it that no neighbor gives.
 
+mod one_reset;
+
 use super::MutationError;
 use super::campaign::Subject;
 use super::modules::{Instance, Modules};
@@ -15,7 +17,6 @@ use super::side_by_side::{self, Border};
 use crate::note;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::file;
-use pointcore_tb::verilated::RESET;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
@@ -213,13 +214,6 @@ impl Prover<'_> {
         format!("select -assert-none {} {resets} %u %co*:-$dff %i\n", each(&format!("c:{cell}")))
     }
 
-    /// Whether a module has a reset.
-    fn has_reset(&self, module: &str) -> bool {
-        let text =
-            self.subject.verilog.split_once(&format!("module {module} ")).and_then(|(_, found)| found.split_once(");"));
-        text.is_some_and(|(head, _)| head.split(|c: char| !c.is_alphanumeric()).any(|word| word == RESET))
-    }
-
     /// The border of a module as the generator knows it.
     fn known(&self, module: &str) -> Option<Border> {
         self.subject.interfaces.iter().find(|interface| interface.name == module).map(Border::from)
@@ -258,7 +252,7 @@ impl Prover<'_> {
             proof = self.compare_as(module, open, Way::At(Some(tolerant)))?;
             border = Some(tolerant);
         }
-        if proof == Proof::Open && self.cell.is_some() && self.has_reset(plain(module)) {
+        if proof == Proof::Open && self.cell.is_some() && one_reset::has_reset(&self.subject.verilog, plain(module)) {
             proof = self.compare_as(module, open, Way::InTurns(border.map(Border::after_reset).as_ref()))?;
         }
         Ok(proof)
@@ -324,9 +318,9 @@ impl Prover<'_> {
         };
         let [assuming, mutated] = [source("-formal -D RTL_ASSERT", "assuming.v"), source("", "source.v")];
         let mut texts = [subject.verilog.clone(), assuming_assertions(&subject.verilog)];
-        let has_one_reset = way.has_one_reset() && self.has_reset(plain(module));
+        let has_one_reset = way.has_one_reset() && one_reset::has_reset(&self.subject.verilog, plain(module));
         if has_one_reset {
-            texts = texts.map(|text| with_one_reset(&text, plain(module)));
+            texts = texts.map(|text| one_reset::with_one_reset(&text, plain(module)));
         }
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
@@ -341,7 +335,7 @@ impl Prover<'_> {
         };
         write("source.v", &texts[0])?;
         write("assuming.v", &texts[1])?;
-        write("first_cycle.v", FIRST_CYCLE)?;
+        write("first_cycle.v", one_reset::FIRST_CYCLE)?;
         write("library.v", &subject.others)?;
         write("versions.ys", &versions)?;
         let prepare = |script: &str| {
@@ -438,22 +432,8 @@ fn assuming_assertions(verilog: &str) -> String {
     verilog.replace(clocked, held).replace("_word <= ~words[", "_word <= words[")
 }
 
-/// What resets a module once, as its inputs might at any time.
-const FIRST_CYCLE: &str = "module first_cycle (input clk, output first);\nreg later;\nalways @(posedge clk) later <= 1'd1;\n\
-    assign first = !later;\nendmodule\n";
-
 /// Takes cycles that follow each other in turns together, up to 24 of them: what was inverted between two looks is not there then.
 const IN_TURNS: &str = "lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; lcorr; scorr; phase -F 2; phase -F 3; orpos; lcorr; scorr; scorr -F 4";
-
-/// The design with a reset in the first cycle of a module, and in no other.
-fn with_one_reset(verilog: &str, module: &str) -> String {
-    const ONE_RESET: &str = "wire one_reset; first_cycle first_cycle (.clk(clk), .first(one_reset));";
-    let Some((before, found)) = verilog.split_once(&format!("module {module} ")) else { return verilog.to_owned() };
-    let Some((head, rest)) = found.split_once(");") else { return verilog.to_owned() };
-    let Some((body, after)) = rest.split_once("endmodule") else { return verilog.to_owned() };
-    let body = body.replace("(rst)", "(one_reset)").replace("(!rst)", "(!one_reset)");
-    format!("{before}module {module} {head}); {ONE_RESET}{body}endmodule{after}")
-}
 
 /// What ABC says of a property that holds, and of one that does not.
 const PROVED: &str = "Property proved";
