@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use pointcore_contract::splat::config::{PayloadStore, TILE_PIXELS};
 use pointcore_contract::splat::records::{PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
 use pointcore_contract::splat::{Config, units};
-use pointcore_contract::words;
+use pointcore_contract::{read, words};
 use pointcore_golden::splat::lane::{In, Lane};
 use pointcore_golden::splat::{Latencies, Share};
 use pointcore_golden::unit::{Model, Ported};
@@ -51,8 +51,7 @@ impl Loop {
             is_here.then_some(copy)
         };
         let mut random = fastrand::Rng::with_seed(seed);
-        let mut copies = scene::copies(config, SPLATS);
-        scene::touch(config, &mut copies, 2, &mut random);
+        let copies = scene::touch(config, &scene::copies(config, SPLATS), 2, &mut random);
         let copies: VecDeque<_> = copies.into_iter().filter_map(here).collect();
         Self {
             config: config.clone(),
@@ -72,7 +71,8 @@ impl Loop {
         }
     }
 
-    fn step(&mut self) -> In {
+    /// What the lane's ports see in a cycle.
+    fn step(&mut self) -> Vec<u64> {
         let out = self.lane.outputs();
         let [copies, data, read_ready, write_ready, pixel_ready, payload_data, payload_read_ready, payload_write_ready] =
             self.stalls.each_mut().map(|stalls| !stalls.stalled());
@@ -126,8 +126,10 @@ impl Loop {
             self.frames -= usize::from(finished.end);
             self.counts[2] += usize::from(!finished.end);
         }
-        self.lane.clock(&inputs);
-        inputs
+        // The model sees what the ports carry.
+        let seen = words(&self.config, inputs);
+        self.lane.clock(&read(&self.config, &seen));
+        seen
     }
 }
 
@@ -137,7 +139,6 @@ impl Stimulus for Loop {
             return Flow::Done;
         }
         let seen = self.step();
-        let seen = words(&self.config, seen);
         // `rst` comes first.
         self.places[1..].iter().zip(seen).for_each(|(&place, word)| inputs[place] = word);
         Flow::Continue

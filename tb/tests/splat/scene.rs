@@ -7,8 +7,8 @@ use pointcore::stimuli::motion::motion;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
-    Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Sample, SetupSplat, Shutter, Sight,
-    Splat, SplatCopy, Uniforms, Viewport,
+    Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Moving, MovingFootprint, Sample,
+    SetupSplat, Shutter, Sight, Splat, SplatCopy, Uniforms, Viewport,
 };
 use pointcore_contract::splat::units::{motion_setup, rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
@@ -21,6 +21,8 @@ use super::{Travels, through};
 const FRAME: usize = 120;
 /// The depth that some splats share.
 const SURFACE: u32 = 0x9e_3779;
+/// How far depths that nearly meet are apart, in their last place.
+const NEAR_BY: u32 = 5;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
 
@@ -166,40 +168,78 @@ pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
     through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
-/// Has one splat in `one_in` touch its limits: [`touching`].
-pub fn touch(config: &Config, copies: &mut [SplatCopy], one_in: u32, random: &mut Rng) {
-    for splat in copies.chunk_by_mut(|_, next| !next.first) {
-        if random.u32(0..one_in) == 0 {
+/// Has one splat in `one_in` touch its limits, and other splats; half of these lie where the one before them does.
+pub fn touch(config: &Config, copies: &[SplatCopy], one_in: u32, random: &mut Rng) -> Vec<SplatCopy> {
+    let mut before: Vec<SplatCopy> = Vec::new();
+    let mut touched = Vec::with_capacity(copies.len());
+    for splat in copies.chunk_by(|_, next| !next.first) {
+        let mut splat = splat.to_vec();
+        if !splat[0].end && random.u32(0..one_in) == 0 {
+            if random.bool() && !before.is_empty() {
+                let attributes = splat[0].attributes;
+                splat = before.iter().map(|copy| SplatCopy { attributes, ..*copy }).collect();
+            }
             let footprint = touching(config, splat[0].footprint, random);
-            splat.iter_mut().for_each(|copy| copy.footprint = footprint);
+            let moving = moving_and_touching(config, splat[0].moving, random);
+            splat.iter_mut().for_each(|copy| (copy.footprint, copy.moving) = (footprint, moving));
         }
+        if !splat[0].end {
+            before.clone_from(&splat);
+        }
+        touched.extend(splat);
     }
+    touched
 }
 
-/// The same splat with limits of its depth, and of what is seen of it, that differ from these in one bit each. Its depth is that of the
-/// same surface for all such splats; where samples have depths of their own, and `D`, all have those of the centre.
+/// The same splat with limits of its depth, and of what is seen of it, that differ from these in one bit each, or a little more. Its depth
+/// is that of the same surface for all such splats, or the surface is where its band ends; where samples have `D`, all have that of the centre.
 fn touching(config: &Config, footprint: Footprint, random: &mut Rng) -> Footprint {
     let format = config.raster_format();
     let mut limits = |exact: u32, bits: u32| {
         let [a, b] = [(); 2].map(|()| exact ^ 1 << random.u32(0..bits));
         [a.min(b), a.max(b)]
     };
-    let [low, high] = limits(SURFACE, DEPTH_BITS);
-    let range = limits(footprint.plane.center, format.coefficient_width());
     let delta = footprint.delta;
     let negative = delta >> (format.delta_width() - 1) != 0;
     let magnitude = if negative && format.fixed().is_some() { !delta } else { delta };
     let bits = format.limit_width();
     let [far, near] = limits(magnitude & (u32::MAX >> (32 - bits)), bits);
+    let [low, high] = limits(SURFACE, DEPTH_BITS).map(|limit| (limit + NEAR_BY / 2).min((1 << DEPTH_BITS) - 1));
+    let band = Band { depth: SURFACE + random.u32(0..NEAR_BY), low: low - random.u32(0..NEAR_BY).min(low), high };
     let [mx, my] = if config.eye_plane.is_on() { [0; 2] } else { [footprint.mx, footprint.my] };
-    Footprint {
-        mx,
-        my,
-        sight: Sight { negative, near, far, turned: false, ..footprint.sight },
-        band: Band { depth: SURFACE, low, high },
-        plane: DepthPlane { slope: [0; 2], range, ..footprint.plane },
-        ..footprint
-    }
+    // Without limits `s1` and `D` may be either.
+    let sight = if random.u8(0..8) == 0 {
+        Sight { near: u32::MAX >> (32 - bits), far: 0, turned: true, ..footprint.sight }
+    } else {
+        Sight { negative, near, far, turned: false, ..footprint.sight }
+    };
+    let plane = format.floating().map_or(footprint.plane, |format| plane(format, random));
+    Footprint { mx, my, sight, band, plane, ..footprint }
+}
+
+/// A surface, or another whose band ends there.
+fn plane(format: Format, random: &mut Rng) -> DepthPlane {
+    let surface = encode(format, 0.53) as u32 + random.u32(0..NEAR_BY);
+    let apart = if random.bool() { 0.25 + 0.2 * random.f32() } else { 0.0 };
+    let center = pointcore::number::encode(format, pointcore::number::decode(format, surface) + apart);
+    let epsilon = pointcore::number::encode(format, apart) + random.u32(0..NEAR_BY);
+    let whole = [0.0, 1.0].map(|end| pointcore::number::encode(format, end));
+    let mut range =
+        if random.bool() { whole } else { [(); 2].map(|()| center ^ 1 << random.u32(0..format.width() - 1)) };
+    range.sort_unstable();
+    DepthPlane { center, slope: [0; 2], range, epsilon }
+}
+
+/// The same splat with a depth close to its own, or with a band that ends there.
+fn moving_and_touching(config: &Config, moving: Moving, random: &mut Rng) -> Moving {
+    let format = config.geometry;
+    let [scale, distance] = [moving.footprint.depth_scale, moving.footprint.distance[0]]
+        .map(|bits| pointcore::number::decode(format, bits));
+    let farther = if random.bool() { scale * (1.0 - 0.25 * random.f32()) } else { scale };
+    let apart = ((farther - scale) / distance * (1 << DEPTH_BITS) as f32).clamp(0.0, (SURFACE / 2) as f32);
+    let depth_scale = pointcore::number::encode(format, farther);
+    let footprint = MovingFootprint { depth_scale, ..moving.footprint };
+    Moving { footprint, epsilon: apart as u32 + random.u32(0..NEAR_BY) }
 }
 
 /// Copies with slots and payloads.
