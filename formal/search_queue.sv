@@ -18,14 +18,15 @@ module proof (input clk);
     (* anyseq *) reg [THREAD_BITS-1:0] start_thread, candidates_thread, finish_thread;
     (* anyseq *) reg [INDEX_BITS-1:0] start_number;
     (* anyseq *) reg [RANK_BITS-1:0] start_k;
-    (* anyseq *) reg [DISTANCE_BITS-1:0] start_radius2, start_x, start_y, start_z;
+    (* anyseq *) reg [SQUARE_BITS:0] start_radius2, start_x, start_y, start_z;
     (* anyseq *) reg [BEAT_BITS-1:0] candidates_address;
-    (* anyseq *) reg [DISTANCE_BITS-1:0] candidates_distance0, candidates_distance1;
+    (* anyseq *) reg [SQUARE_BITS-1:0] candidates_distance0, candidates_distance1;
     wire candidates_ready, finish_ready, radius_valid, released_valid, result_valid, result_last, result_found;
     wire event_beat, event_insert, event_insert_wait;
     wire [THREAD_BITS-1:0] radius_thread, released_thread;
     wire [INDEX_BITS-1:0] result_number, result_index;
-    wire [DISTANCE_BITS-1:0] radius_radius2, result_distance2;
+    wire [SQUARE_BITS-1:0] radius_radius2;
+    wire [SQUARE_BITS:0] result_distance2;
     `UNIT unit (.*);
 
     wire fed = candidates_valid && candidates_ready;
@@ -52,8 +53,7 @@ module proof (input clk);
     always @* begin
         assume (!rst || !(start_valid || candidates_valid || finish_valid));
         assume (start_thread < THREADS && candidates_thread < THREADS && finish_thread < THREADS);
-        assume (!start_radius2[DISTANCE_BITS-1]);
-        assume (!candidates_distance0[DISTANCE_BITS-1] && !candidates_distance1[DISTANCE_BITS-1]);
+        assume (!start_radius2[SQUARE_BITS]);
         assume (!start_valid || !busy[start_thread]);
         assume (!start_valid || (start_k >= 1 && start_k <= NEIGHBORS));
         assume (!fed || (busy[candidates_thread] && !finishing[candidates_thread]));
@@ -66,7 +66,7 @@ module proof (input clk);
     (* anyconst *) reg [THREAD_BITS-1:0] query_thread;
     (* anyconst *) reg [INDEX_BITS-1:0] query_number;
     (* anyconst *) reg [RANK_BITS-1:0] k;
-    (* anyconst *) reg [DISTANCE_BITS-1:0] radius2;
+    (* anyconst *) reg [SQUARE_BITS:0] radius2;
     reg met = 0, searching = 0, answered = 0;
     wire starts = start_valid && start_number == query_number;
     always @* assume (!starts || (!met && start_thread == query_thread && start_k == k && start_radius2 == radius2));
@@ -83,7 +83,7 @@ module proof (input clk);
     wire [INDEX_BITS-1:0] point = LANES == 1 ? beat : {beat, lane};
     wire point_fed = fed && searching && candidates_thread == query_thread && candidates_address == beat;
     reg was_fed = 0, seen = 0;
-    reg [DISTANCE_BITS-1:0] distance2;
+    reg [SQUARE_BITS-1:0] distance2;
     always @* assume (lane < LANES && (!point_fed || !was_fed));
     wire shows_point = result && result_found && result_index == point;
     always @(posedge clk) if (!rst) begin
@@ -95,7 +95,7 @@ module proof (input clk);
     end
 
     // What it has been told, and what it has told.
-    reg [DISTANCE_BITS-1:0] known_radius2, previous;
+    reg [SQUARE_BITS:0] known_radius2, previous;
     reg [RANK_BITS:0] count = 0;
     wire narrows = radius_valid && met && !answered && radius_thread == query_thread;
     always @(posedge clk) if (!rst) begin

@@ -1,7 +1,7 @@
 // search_stack: every thread has a stack of its own, last in, first out, of DEPTH paths.
 //
 // A symbolic place is tracked: a path pushed there comes back unchanged when that place is popped. Assumed: a thread never
-// holds more than DEPTH paths, no thread is pushed and popped in one cycle, and no squared distance is negative.
+// holds more than DEPTH paths, and no thread is pushed and popped in one cycle.
 module proof (input clk);
     `include "sizes.vh"
 
@@ -11,10 +11,10 @@ module proof (input clk);
     (* anyseq *) reg push_valid, pop_valid;
     (* anyseq *) reg [THREAD_BITS-1:0] push_thread, pop_thread;
     (* anyseq *) reg [NODE_BITS-1:0] push_node;
-    (* anyseq *) reg [DISTANCE_BITS-1:0] push_distance2;
+    (* anyseq *) reg [SQUARE_BITS-1:0] push_distance2;
     wire top_empty;
     wire [NODE_BITS-1:0] top_node;
-    wire [DISTANCE_BITS-1:0] top_distance2;
+    wire [SQUARE_BITS-1:0] top_distance2;
     `UNIT unit (.*);
 
     // Paths that each thread holds, as the ports tell.
@@ -31,7 +31,6 @@ module proof (input clk);
 
     always @* if (!rst) begin
         assume (push_thread < THREADS && pop_thread < THREADS);
-        assume (!push_distance2[DISTANCE_BITS-1]);
         assume (!(push_valid && push_count == DEPTH));
         assume (!(push_valid && pop_valid && push_thread == pop_thread));
     end else assume (!push_valid && !pop_valid);
@@ -39,7 +38,7 @@ module proof (input clk);
     // The tracked place, its path, and what the last pop shows.
     (* anyconst *) reg [THREAD_BITS-1:0] place_thread;
     (* anyconst *) reg [COUNT_BITS-1:0] place;
-    localparam PATH_BITS = NODE_BITS + DISTANCE_BITS;
+    localparam PATH_BITS = NODE_BITS + SQUARE_BITS;
     wire [PATH_BITS-1:0] top = {top_node, top_distance2};
     reg [PATH_BITS-1:0] path, top_before;
     reg empty = 1, shown = 0, popped_nothing = 0;

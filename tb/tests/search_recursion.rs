@@ -129,12 +129,10 @@ impl Rule for Disorder {
         }
         let node = feeds.random.u64(..1 << self.config.node_bits());
         let distance2 = word(&self.config, distance2(&self.config, &mut feeds.random));
-        // No path has a sign, but all bits are compared.
-        let sign = u64::from(feeds.random.u8(..8) == 0) << (self.config.geometry.width() - 1);
         let is_empty = feeds.random.u8(..4) == 0;
         feeds.hold("top_empty", u64::from(is_empty));
         feeds.hold("top_node", node);
-        feeds.hold("top_distance2", distance2 | sign);
+        feeds.hold("top_distance2", distance2);
     }
 }
 

@@ -120,6 +120,12 @@ impl Config {
         Ok(self.bus.validate()?)
     }
 
+    /// Bits of a squared distance or radius within the core: a number without its sign.
+    #[must_use]
+    pub const fn square_bits(&self) -> u32 {
+        self.geometry.width() - 1
+    }
+
     /// Bits of a thread's number.
     #[must_use]
     pub const fn thread_bits(&self) -> u32 {

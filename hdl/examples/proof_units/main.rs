@@ -48,7 +48,7 @@ fn proofs() -> Vec<Proof> {
         ("THREAD_BITS", core.thread_bits()),
         ("DEPTH", core.tree_depth),
         ("NODE_BITS", core.node_bits()),
-        ("DISTANCE_BITS", core.geometry.width()),
+        ("SQUARE_BITS", core.square_bits()),
     ];
     let stack = Proof::new("search_stack", search::stack::module(&core), &sizes);
     let queue = |name, core: &Config| {
@@ -60,7 +60,7 @@ fn proofs() -> Vec<Proof> {
             ("LANES", core.lanes),
             ("INDEX_BITS", core.index_bits),
             ("BEAT_BITS", core.beat_bits()),
-            ("DISTANCE_BITS", core.geometry.width()),
+            ("SQUARE_BITS", core.square_bits()),
         ];
         Proof::new(name, search::queue::module(core), &sizes)
     };

@@ -38,7 +38,7 @@ fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileErro
         let point = numbers(point);
         let offset: [Value; 3] =
             std::array::from_fn(|axis| (point[axis] - query[axis]).named(&format!("offset_{}", AXES[axis])));
-        *distance = dot(&offset, &offset);
+        *distance = dot(&offset, &offset).bits(config.square_bits() - 1, 0);
     }
     candidates.outputs(&program, config);
     compile(&program, options)

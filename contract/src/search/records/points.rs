@@ -59,8 +59,7 @@ pub struct Candidates {
     /// A squared distance a lane; NaN where there is no point.
     #[count(config.lanes)]
     #[name(format!("distance{i}"))]
-    #[bits(config.geometry.width())]
-    #[below(config.geometry.sign_mask())]
+    #[bits(config.square_bits())]
     pub distances: [u32; LANES_MAX],
 }
 
@@ -70,7 +69,6 @@ pub struct Radius {
     /// Thread.
     pub thread: Thread,
     /// Squared radius.
-    #[bits(config.geometry.width())]
-    #[below(config.geometry.sign_mask())]
+    #[bits(config.square_bits())]
     pub radius2: u32,
 }

@@ -90,8 +90,7 @@ pub struct Path {
     #[bits(config.node_bits())]
     pub node: u32,
     /// Squared distance of the query to the splitting plane before it.
-    #[bits(config.geometry.width())]
-    #[below(config.geometry.sign_mask())]
+    #[bits(config.square_bits())]
     pub distance2: u32,
 }
 

@@ -11,7 +11,7 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries};
 use super::neighborhoods::Neighborhoods;
 use super::tickets::Tickets;
-use crate::search::parts::neighbor::Neighbor;
+use crate::search::parts::neighbor::{Neighbor, without_sign};
 use crate::units::ports::StreamInPorts;
 use crate::units::wires::Wires;
 use rtl::{Expr, Module, bit, lit};
@@ -64,7 +64,7 @@ pub(super) fn copy(
     m.next_if(rank, !copying | stores, copying.mux(total, lit(rank_bits, 0)));
     m.next_if(previous, !copying | stores, copying.mux(distance2, zero));
     let place = Chosen { valid: stores, entry: target.expr() };
-    neighborhoods.store(m, config, place, *rank, Neighbor::new(index, distance2));
+    neighborhoods.store(m, config, place, *rank, Neighbor { index, distance2: without_sign(distance2) });
 
     // Whether this neighbor is one only chooses among comparisons that need not wait for it.
     let wanted = query.k;

@@ -7,7 +7,7 @@ use pointcore_contract::search::units::neighbor_cache::PORTS;
 
 use super::lru::Chosen;
 use super::neighborhoods::Neighborhoods;
-use crate::search::parts::neighbor::Neighbor;
+use crate::search::parts::neighbor::{Neighbor, with_sign};
 use crate::stream::fifo;
 use crate::units::passage::Passage;
 use crate::units::ports::{QueueOut, StreamOutPorts};
@@ -114,7 +114,7 @@ impl Deliveries {
         let neighbor = from.neighbor(m, config, reads, answer.entry, *rank);
         let neighbor = Neighbor::choose(config, found, neighbor, Neighbor::zeros(config));
         let sends = d1_valid & result.room;
-        let (index, distance2) = (neighbor.index, neighbor.squared_distance());
+        let (index, distance2) = (neighbor.index, with_sign(neighbor.distance2));
         let next = QueryResult { number, last, found, index, distance2 };
         result.push(m, config, sends, CachedResult { result: next, cached });
         Chosen { valid: releases, entry: answer.entry }

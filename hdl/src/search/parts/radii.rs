@@ -2,6 +2,7 @@
 
 use pointcore_contract::search::Config;
 
+use super::neighbor::without_sign;
 use super::sets::{contains, decode};
 use crate::units::ports::Pulse;
 use crate::units::wires::Wires;
@@ -22,7 +23,7 @@ pub(crate) struct Writer {
 impl From<Pulse<Start<Wires>>> for Writer {
     fn from(start: Pulse<Start<Wires>>) -> Self {
         let Start { thread, query } = start.record;
-        Self { valid: start.valid, thread: thread.thread, radius2: query.radius2 }
+        Self { valid: start.valid, thread: thread.thread, radius2: without_sign(query.radius2) }
     }
 }
 
@@ -42,7 +43,7 @@ pub(crate) fn radii_now(m: &mut Module, config: &Config, writers: [Writer; 2], t
     let [(by_query, query_set), (by_leaf, leaf_set)] =
         [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
             let memory =
-                m.memory_distributed(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width());
+                m.memory_distributed(&format!("{name}_radii"), 1 << config.thread_bits(), config.square_bits());
             m.write(memory, writer.valid, writer.thread, writer.radius2);
             let radius = m.read_now(memory, &format!("{name}_radius2"), thread);
             (radius, m.wire(&format!("{name}_set"), decode(writer.valid, writer.thread, threads)))
@@ -63,7 +64,7 @@ pub(crate) fn radii(
 ) -> Expr {
     let (enable, thread) = (enable.into(), thread.into());
     let now = radii_now(m, config, writers, thread);
-    let radius2 = m.reg("radius2", config.geometry.width());
+    let radius2 = m.reg("radius2", config.square_bits());
     m.next_if(radius2, enable, now);
     radius2.expr()
 }

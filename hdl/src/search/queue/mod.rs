@@ -16,7 +16,7 @@ use pointcore_contract::search::units::queue::PORTS;
 use pointcore_contract::{record, width};
 
 use super::parts::head_queue::HeadQueue;
-use super::parts::neighbor::{with_sign, without_sign};
+use super::parts::neighbor::without_sign;
 use super::parts::radii::radii_now;
 use super::parts::sets::{contains, decode, set};
 use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts};
@@ -38,8 +38,8 @@ struct KeptQuery {
     /// Neighbors wanted.
     #[bits(config.rank_bits())]
     k: u8,
-    /// Squared radius within which neighbors count, but for its sign.
-    #[bits(config.geometry.width() - 1)]
+    /// Squared radius within which neighbors count.
+    #[bits(config.square_bits())]
     radius2: u32,
     /// The entries that stay empty in its row, a bit each but for the last.
     #[when(config.neighbors > 1)]
@@ -64,7 +64,7 @@ struct Arrival {
     /// The beat.
     candidates: Candidates,
     /// The squared radius of its thread's last leaf as it came in.
-    #[bits(config.geometry.width())]
+    #[bits(config.square_bits())]
     limit: u32,
 }
 
@@ -91,7 +91,7 @@ impl Working {
 /// The working row after the insertion at work.
 struct Inserted {
     row: Expr,
-    /// The distance of its last neighbor, but for the sign.
+    /// The distance of its last neighbor.
     farthest: Expr,
     /// What the other units are told.
     radius: Pulse<Radius<Wires>>,
@@ -99,7 +99,7 @@ struct Inserted {
 
 /// The farthest neighbor of the row that was the working row a cycle ago.
 struct Farthest {
-    distance: Expr,
+    distance: Reg,
     thread: Reg,
     /// It still is the working row.
     is_current: Expr,
@@ -158,7 +158,7 @@ impl Stages<'_> {
         let is_farthest = farthest.thread.eq(candidates.place.thread.thread);
         let will_be_known = farthest.is_current & (is_farthest & !take_reads);
         let will_be_known = m.wire("farthest_will_be_known", will_be_known);
-        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, farthest.distance)])
+        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, *farthest.distance)])
     }
 
     /// b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
@@ -174,7 +174,7 @@ impl Stages<'_> {
         let thread = self.thread();
         let choice = Choice::new(m, config, beat);
         let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
-        let near = near_lanes(config, &beat.record, &[(is_known, farthest.distance)]);
+        let near = near_lanes(config, &beat.record, &[(is_known, *farthest.distance)]);
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
         m.next(item.valid, fetch.moves);
         m.next(item.reads, fetch.reads);
@@ -219,7 +219,7 @@ impl Stages<'_> {
         let inserted = insert(&working_entries, *insertion.nearer, &*insertion.entry, choose);
         let row = m.wire("inserted_row", row(config, &inserted));
         let farthest = inserted[inserted.len() - 1].neighbor.distance2;
-        let radius = Radius { thread: Thread { thread: *insertion.thread }, radius2: with_sign(farthest) };
+        let radius = Radius { thread: Thread { thread: *insertion.thread }, radius2: farthest };
         let radius = PORTS.radius.registered(m, config, insertion.last, radius);
         PORTS.events.event(m, config, |events| events.insert, insertion.nearer.msb());
         Inserted { row, farthest, radius }
@@ -235,7 +235,7 @@ impl Stages<'_> {
         m.next(thread, working.owner);
         m.next(valid, working.owned & !item.reads);
         let is_current = m.wire("farthest_is_current", valid & !(beat.reads | item.reads));
-        Farthest { distance: with_sign(*distance), thread, is_current }
+        Farthest { distance, thread, is_current }
     }
 
     /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both; of one thread alone

@@ -64,7 +64,7 @@ impl Choice {
             0 => address,
             bits => cat([address, index_of(chosen, bits)]),
         };
-        let entry = Entry { found: bit(true), neighbor: Neighbor::new(index, distance2) };
+        let entry = Entry { found: bit(true), neighbor: Neighbor { index, distance2 } };
         let stays = m.wire("stays", beat.valid & several(beat.pending));
         Self { any: beat.pending.any(), rest, stays, entry }
     }

@@ -53,7 +53,7 @@ fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError
     let Step { is_leaf, descent, coordinate, split } = Step::<Values>::inputs(&program, config);
     let [coordinate, split] = [coordinate, split].map(|value| value.as_float(config.geometry));
     let distance = (coordinate - split).named("distance");
-    let path = Path { node: descent.node, distance2: distance * distance };
+    let path = Path { node: descent.node, distance2: (distance * distance).bits(config.square_bits() - 1, 0) };
     Passed { is_leaf, push: Push { thread: descent.thread, path } }.outputs(&program, config);
     compile(&program, &options.taken_at_once())
 }
