@@ -35,6 +35,10 @@ const HARD_DEPTHS: [f32; 2] = [-1.0, 12.0];
 const HARD_RADII_PX: [f32; 2] = [-2.0, 4.0];
 const EYE_DISTANCES: [f32; 2] = [-14.0, -1.0];
 const SHORTER: [f32; 2] = [-130.0, 0.0];
+/// Of how much shorter one part of a tangent is than the other: at about the middle it vanishes beside it.
+const VANISHING: [f32; 2] = [-129.0, -126.0];
+/// Of how much longer the other part then is: beside a short one, no part could be shorter by so much.
+const LONGER: [f32; 2] = [0.0, 24.0];
 /// Where splats are in the image, whose edge is 1.
 const BESIDE: [f32; 2] = [-0.05, 1.05];
 /// How both streams are held back, frame after frame.
@@ -123,20 +127,32 @@ fn hard(config: &Config, lens: Lens, random: &mut Rng) -> (Uniforms, Vec<Splat>)
     for splat in records.iter_mut().filter(|splat| !splat.end) {
         let depth = near * between(HARD_DEPTHS, random).exp2();
         let pixel = [config.width, config.height].map(|edge| edge as f32 * between(BESIDE, random));
-        let [x, y] = [0, 1].map(|axis| (pixel[axis] - lens.origin[axis]) / lens.scale[axis]);
+        let mut place = [0, 1].map(|axis| (pixel[axis] - lens.origin[axis]) / lens.scale[axis]);
         let mut tangents = [(); 2].map(|()| {
             let radius = depth * between(HARD_RADII_PX, random).exp2();
             [0, 1].map(|axis| radius * between([-1.0, 1.0], random) / lens.scale[axis])
         });
         let (sine, cosine) = between([0.0, TAU], random).sin_cos();
         let mut along = [cosine, sine].map(|part| part * depth * (1.0 - between(EYE_DISTANCES, random).exp2()));
-        if random.u8(..3) == 0 {
-            for part in tangents.iter_mut().flatten().chain(&mut along) {
-                if random.bool() {
-                    *part *= between(SHORTER, random).exp2();
+        match random.u8(..3) {
+            0 => {
+                for part in tangents.iter_mut().flatten().chain(&mut along) {
+                    if random.bool() {
+                        *part *= between(SHORTER, random).exp2();
+                    }
                 }
             }
+            1 => {
+                let [tangent, axis] = [(); 2].map(|()| random.usize(..2));
+                let [long, short] = [LONGER, VANISHING].map(|range| between(range, random).exp2());
+                tangents[tangent][1 - axis] *= long;
+                tangents[tangent][axis] = tangents[tangent][1 - axis] * short;
+                // Elsewhere its part along the line of sight would be most of it.
+                place[axis] = 0.0;
+            }
+            _ => {}
         }
+        let [x, y] = place;
         let vector = |[of_x, of_y]: [f32; 2], of_z: f32| [x * of_z + of_x, y * of_z + of_y, of_z].map(number);
         splat.center = vector([0.0; 2], depth);
         splat.tangents = [0, 1].map(|of| vector(tangents[of], along[of]));
