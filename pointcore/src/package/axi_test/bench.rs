@@ -3,7 +3,7 @@
 use super::script::{FinishedScript, MAGIC};
 use crate::package::GENERATOR;
 use pointcore_contract::Field;
-use pointcore_contract::bus::Config;
+use pointcore_contract::bus::{Config, Layout};
 use rtl::{Design, Port};
 use std::fmt::Write as _;
 
@@ -36,6 +36,20 @@ pub struct Buffer {
 }
 
 impl Buffer {
+    fn parameters(&self, memory_bits: u32) -> String {
+        let Self { tiles, pixel_beats, pixel, .. } = self;
+        let width = pixel_beats * memory_bits;
+        let layout = Layout::of(pixel);
+        let all: Vec<u64> = layout.places.iter().map(|place| u64::MAX >> (64 - place.width)).collect();
+        let bytes = layout.encode(&all, width / 8);
+        let held: String = bytes.iter().rev().map(|byte| format!("{byte:02x}")).collect();
+        format!(
+            "    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n    \
+             localparam [{}:0] PIXEL_HELD = {width}'h{held};\n",
+            width - 1
+        )
+    }
+
     /// Looks at what passes the core's ports.
     fn text(&self) -> String {
         let bits: u32 = self.pixel.iter().map(|field| field.width).sum();
@@ -162,8 +176,8 @@ pub struct Bench<'a> {
     pub script: &'a FinishedScript,
     /// Bytes of a packet that comes from the core.
     pub packet_bytes: u32,
-    /// Bits of its first two words that name what it answers.
-    pub name_mask: u64,
+    /// Bits of it that name what it answers.
+    pub name_mask: Vec<u8>,
     /// The bit of its first word that closes a frame.
     pub end_mask: u32,
     /// The core's events.
@@ -273,20 +287,22 @@ impl Bench<'_> {
         let Self { bus, packet_bytes, end_mask, .. } = self;
         let FinishedScript { words, answers, .. } = self.script;
         let name = self.top.top();
-        let [first, second] = [self.name_mask as u32, (self.name_mask >> 32) as u32];
+        let name_mask: String = self.name_mask.iter().rev().map(|byte| format!("{byte:02x}")).collect();
         let mut text = format!(
             "    localparam WORDS = {words}, ANSWERS = {answers};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
              localparam FILE = \"{name}_test.hex\";\n    \
              localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {}, EVENT_BITS = {};\n    \
-             localparam [31:0] NAME_MASK = 32'h{first:x}, SECOND_NAME_MASK = 32'h{second:x}, END_MASK = 32'h{end_mask:x};\n",
+             localparam [{}:0] NAME_MASK = {}'h{name_mask};\n    localparam [31:0] END_MASK = 32'h{end_mask:x};\n",
             bus.stream_bits,
             bus.memory_bits,
             packet_bytes / 4,
             self.events.len(),
             self.event_bits(),
+            8 * packet_bytes - 1,
+            8 * packet_bytes,
         );
-        if let Some(Buffer { tiles, pixel_beats, .. }) = &self.buffer {
-            text += &format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n");
+        if let Some(buffer) = &self.buffer {
+            text += &buffer.parameters(bus.memory_bits);
         }
         text.extend(self.records.iter().map(RecordMemory::parameters));
         text

@@ -13,13 +13,13 @@ mod splat_script;
 use crate::search::SearchError;
 use crate::splat::SplatCore;
 use bench::{Bench, BenchMemory, Buffer, Placed, RecordMemory};
-use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::units::splat_axi::Ports;
+use pointcore_contract::bus::{Layout, Place};
 use pointcore_contract::process::queries::Outcome;
 use pointcore_contract::search::records::CachedResult;
 use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS};
 use pointcore_contract::splat::records::{Fragment, PayloadWord, Pixel, payload_bytes};
-use pointcore_contract::{fields, points, search, splat};
+use pointcore_contract::{Record, fields, points, search, splat};
 use pointcore_tb::lockstep::LockstepError;
 use rtl::Design;
 
@@ -34,6 +34,18 @@ pub struct AxiTest {
 /// The bit of a fragment's first word that closes a frame: its first field.
 const END_MASK: u32 = 1;
 
+/// The bits of a packet that name what it answers: of each field those that a function of its name leaves.
+fn name_mask<R: Record>(config: &R::Config, stream_bits: u32, named: fn(&str) -> u64) -> Vec<u8> {
+    let layout = Layout::record::<R>(config);
+    let bits = |place: &Place| named(&place.name) & u64::MAX >> (64 - place.width);
+    layout.encode(&layout.places.iter().map(bits).collect::<Vec<_>>(), layout.packet_bytes(stream_bits))
+}
+
+/// All of a query's number.
+fn number(field: &str) -> u64 {
+    if field == "number" { u64::MAX } else { 0 }
+}
+
 /// The test of the search core.
 ///
 /// # Errors
@@ -45,7 +57,7 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         bus: config.bus,
         script: &script,
         packet_bytes: Layout::record::<CachedResult>(config).packet_bytes(config.bus.stream_bits),
-        name_mask: (1 << config.index_bits) - 1,
+        name_mask: name_mask::<CachedResult>(config, config.bus.stream_bits, number),
         end_mask: 0,
         events: fields::<search::units::Events>(config),
         memories: if config.tree_cache > 0 {
@@ -72,7 +84,7 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
         bus: config.search.bus,
         script: &script,
         packet_bytes: Layout::record::<Outcome>(&config.process).packet_bytes(config.search.bus.stream_bits),
-        name_mask: (1 << config.process.index_bits) - 1,
+        name_mask: name_mask::<Outcome>(&config.process, config.search.bus.stream_bits, number),
         end_mask: 0,
         events: fields::<points::units::Events>(config),
         memories: [BenchMemory::POINTS, BenchMemory::LINES]
@@ -98,7 +110,7 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         bus: config.bus,
         script: &script,
         packet_bytes: Layout::record::<Fragment>(config).packet_bytes(config.bus.stream_bits),
-        name_mask: splat_script::tile_mask(config),
+        name_mask: name_mask::<Fragment>(config, config.bus.stream_bits, splat_script::tile),
         end_mask: END_MASK,
         events: fields::<splat::units::Events>(config),
         memories: vec![],

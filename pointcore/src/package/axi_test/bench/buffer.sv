@@ -46,6 +46,7 @@
         if (m_axi_gives && (read_place >= TILES * TILE_BYTES || read_page < 0 || !is_written[64 * read_page + read_pixel]))
             $fatal(1, "FAILED: %h is read, which has not been written", m_axi_address);
         if (stores) begin
+            if ((record & ~PIXEL_HELD) != 0) $fatal(1, "FAILED: %h is written, and not zero where a pixel holds nothing", record);
             if (store_place >= TILES * TILE_BYTES) $fatal(1, "FAILED: %h is written, outside the buffer", store_address);
             page = -1;
             for (i_page = 0; i_page < pages; i_page = i_page + 1)

@@ -10,6 +10,7 @@ use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{Attributes, Fragment, Splat};
 use pointcore_contract::{Camera, Rendering};
 use pointcore_tb::lockstep::LockstepError;
+use std::f64::consts::TAU;
 
 /// Tiles with splats: more than the core keeps, so that some leave for memory and come back.
 const TILES: usize = 7;
@@ -29,8 +30,10 @@ const UNITS: [f64; 2] = [1.0, 1024.0];
 const TILT: [f64; 2] = [-0.5, 0.5];
 /// Attributes are as large as that at most.
 const ATTRIBUTE: f32 = 8.0;
-/// Frames of a script.
-const FRAMES: usize = 3;
+/// Frames of a script, the last of them without splats.
+const FRAMES: usize = 4;
+/// Its number.
+pub const EMPTY: usize = FRAMES - 1;
 
 /// A frame and the fragments that come of it.
 pub struct Frame {
@@ -86,9 +89,9 @@ fn rendering(config: &Config, number: usize) -> Rendering {
         sampling: config.sampling,
         depth: config.depth,
         kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
-        filter_radius_px: Some([1.0, 1.0, 1.5][number] * Rendering::DEFAULT_FILTER_RADIUS_PX),
+        filter_radius_px: Some([1.0, 1.0, 1.5, 1.5][number] * Rendering::DEFAULT_FILTER_RADIUS_PX),
         epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
-        epsilon_bias: [1e-3, 3e-3, 3e-3][number],
+        epsilon_bias: [1e-3, 3e-3, 3e-3, 3e-3][number],
     }
 }
 
@@ -107,7 +110,7 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
         splat(config, &camera, middle, depth, &mut random)
     };
     let heap = if config.heap_capacity() <= SMALL_HEAP { config.heap_capacity() as usize + BEYOND_HEAP } else { 0 };
-    let count = heap.max(OF_TILE * tiles.len());
+    let count = if number == EMPTY { 0 } else { heap.max(OF_TILE * tiles.len()) };
     let splats: Vec<Splat> = tiles.iter().cycle().take(count).map(splat).collect();
     EncodedFrame {
         records: splats.into_iter().chain([END]).collect(),
@@ -134,8 +137,10 @@ fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], depth: f64, 
     let vector = |numbers: [f64; 3]| numbers.map(|number| encode(config.geometry, number as f32));
     let center = vector(turn([0, 1, 2].map(|axis| eye[axis] - camera.model_view[axis][3])));
     // The cross product of the tangents points at the eye, more or less.
+    let (sine, cosine) = between([0.0, TAU], random).sin_cos();
     let mut tilt = || radius * between(TILT, random);
-    let tangents = [[0.0, radius, tilt()], [radius, 0.0, tilt()]].map(|tangent| vector(turn(tangent)));
+    let tangents = [[radius * sine, radius * cosine, tilt()], [radius * cosine, -radius * sine, tilt()]];
+    let tangents = tangents.map(|tangent| vector(turn(tangent)));
     let mut attributes = Attributes::default();
     let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
     continuous.fill_with(|| encode_attribute(config.attribute, ATTRIBUTE * (2.0 * random.f32() - 1.0)));

@@ -7,10 +7,9 @@ use super::operations::{Channel, Pauses};
 use super::registers;
 use super::script::Script;
 use crate::splat::SplatCore;
-use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Fragment, LOCAL_BITS};
+use pointcore_contract::splat::records::LOCAL_BITS;
 use pointcore_tb::lockstep::LockstepError;
 use runs::Host;
 
@@ -25,11 +24,13 @@ const ABORTS: u32 = 4;
 /// Frames that a reset ends somewhere.
 const RESETS: u32 = 4;
 
-/// The bits of a fragment's first two words that name its tile.
-pub fn tile_mask(config: &Config) -> u64 {
-    let layout = Layout::record::<Fragment>(config);
-    let places = layout.places.iter().filter(|place| ["column", "row"].contains(&place.name.as_str()));
-    places.fold(0, |mask, place| mask | (((1 << place.width) - 1) >> LOCAL_BITS) << (8 * place.byte + LOCAL_BITS))
+/// The bits of a fragment's field that name its tile.
+pub fn tile(field: &str) -> u64 {
+    match field {
+        "column" | "row" => u64::MAX << LOCAL_BITS,
+        "bin" => u64::MAX,
+        _ => 0,
+    }
 }
 
 /// The whole script.
@@ -57,6 +58,7 @@ pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError
     host.run_spoilt();
     host.run_long();
     host.run_ahead();
+    host.run_late();
     host.enter(1);
     host.run(Pauses::Some);
     host.abort_within_packet();

@@ -5,13 +5,13 @@ use super::super::control::Control;
 use super::super::operations::{Channel, Pauses, Refusal};
 use super::super::registers::{ABORT, BUSY, DONE, RESET, START, WAITING, clear, refuse_while_busy};
 use super::super::script::{Script, words};
-use super::frames::Frame;
+use super::frames::{EMPTY, Frame};
 use crate::splat::depth_memory::Depths;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
 use pointcore_contract::bus::{Layout, Register};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Fragment, LOCAL_BITS, Splat, Uniforms};
-use pointcore_contract::{fields, words as values};
+use pointcore_contract::splat::records::{Fragment, LOCAL_BITS, Splat, Uniforms, late_uniforms};
+use pointcore_contract::{Field, fields, words as values};
 
 /// Where the buffer lies in each frame.
 const BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
@@ -25,6 +25,8 @@ const AHEAD: [usize; 6] = [0, 1, 0, 2, 1, 1];
 const SETTLE_CYCLES: u32 = 600;
 /// Cycles in which a core has cleared its directory of tiles, beyond one a tile.
 const CLEAR_CYCLES: u32 = 100;
+/// Cycles that a splat takes to be set up, where those before it are not in the way for long.
+const SPLAT_CYCLES: u32 = 100;
 /// Cycles of the longest run.
 const LONG_RUN_CYCLES: u32 = 70_000;
 /// A channel hardly moves.
@@ -32,9 +34,10 @@ const HARDLY: u8 = 248;
 /// Nothing but holds a channel back.
 const ALWAYS: u8 = 255;
 
-/// The tile of a fragment, or none for the end.
-fn tile(fragment: &Fragment) -> Option<[u16; 2]> {
-    (!fragment.end).then(|| [fragment.row, fragment.column].map(|place| place >> LOCAL_BITS))
+/// The tile of a fragment, or none for the end; each bin of the exposure has its own.
+fn tile(fragment: &Fragment) -> Option<(u16, u16, u8)> {
+    let &Fragment { end, row, column, seen, .. } = fragment;
+    (!end).then(|| (row >> LOCAL_BITS, column >> LOCAL_BITS, seen.bin))
 }
 
 /// A host with its core.
@@ -212,6 +215,45 @@ impl<'a> Host<'a> {
             self.control.finish(count);
         }
         self.look(first);
+    }
+
+    /// A frame that cannot leave, and one without splats behind it, for which a register that is read late is written anew: only where one
+    /// bit is another it waits until the first has left.
+    pub fn run_late(&mut self) {
+        self.control.script.pauses(Pauses::None);
+        let now = self.now;
+        let uniforms = fields::<Uniforms>(self.config).into_iter();
+        let uniforms: Vec<_> = uniforms.zip(values(self.config, self.frames[now].sent.uniforms)).collect();
+        let late = late_uniforms(self.config);
+        for &place in &late {
+            let (Field { name, width, .. }, value) = &uniforms[place];
+            // Of each register a bit or more, of one alone all.
+            for bit in [None].into_iter().chain((0..*width).step_by(late.len()).map(Some)) {
+                self.control.script.share(Channel::Receive, ALWAYS);
+                self.expect_all(&[now, EMPTY]);
+                self.place(now);
+                self.control.start();
+                self.control.script.wait_low(WAITING);
+                self.send_all();
+                self.control.script.wait_sent();
+                self.control.script.wait(SPLAT_CYCLES * self.count() as u32);
+                self.control.set(name, (value ^ bit.map_or(0, |bit| 1 << bit)) as u32);
+                self.control.script.start_ahead();
+                if bit.is_some() {
+                    self.settle();
+                    self.control.script.read(STATUS, BUSY | WAITING);
+                } else {
+                    self.control.script.wait_low(WAITING);
+                }
+                self.control.script.share(Channel::Receive, 0);
+                self.control.script.wait_low(WAITING);
+                self.send_end(EMPTY);
+                self.now = now;
+                self.control.script.wait_received(0);
+                self.control.finish(self.count() + 1);
+                self.control.set(name, *value as u32);
+            }
+        }
     }
 
     /// Sends the packet that ends a frame.
