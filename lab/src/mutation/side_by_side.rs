@@ -61,6 +61,14 @@ impl Operator {
         format!("{}.strayed", self.result)
     }
 
+    /// Says whether it was given what it answers: what an operator holds first, nobody looks at.
+    fn given(&self) -> String {
+        let Self { enable, stages, .. } = self;
+        format!(
+            "reg [{stages}:0] given = 0;\nalways @(posedge clk) if ({enable}) given <= {{1'd1, given[{stages}:1]}};\n"
+        )
+    }
+
     /// What the second version is answered.
     fn answer(&self) -> String {
         let [result, other, strayed] = [&self.result, &self.other(), &self.strayed()].map(|name| escaped(name));
@@ -172,7 +180,7 @@ impl Border {
             let direction = if direction == "input" { Direction::Input } else { Direction::Output };
             Some(Port { name: name.to_owned(), width: range.parse::<u32>().ok()? + 1, direction })
         };
-        Self { ports: listed.lines().filter_map(port).collect(), ..self }
+        Self { ports: listed.lines().filter_map(port).collect(), operator: None, ..self }
     }
 
     /// Whether operators were taken out.
@@ -243,7 +251,11 @@ impl Border {
         if differences.is_empty() {
             differences.push("1'd0".to_owned());
         }
-        let running = if self.has_reset() { "!rst && " } else { "" };
+        let mut running = if self.has_reset() { "!rst && " } else { "" };
+        if let Some(operator) = &self.operator {
+            text += &operator.given();
+            running = "given[0] && ";
+        }
         // One operator for all: there may be thousands.
         _ = writeln!(text, "assign differ = {running}(|{{{}}});", differences.join(", "));
         if self.ports.iter().any(|port| port.name == "clk") {

@@ -6,6 +6,7 @@
 //! them: some say what its neighbors never do. Inputs are free otherwise, so a mutant counts even where only inputs show
 //! it that no neighbor gives.
 
+mod exhausted;
 mod one_reset;
 
 use super::MutationError;
@@ -184,6 +185,9 @@ impl Prover<'_> {
             if proof != Proof::Equivalent && self.is_hidden_near(module, &open)? {
                 return Ok(Proof::Equivalent);
             }
+        }
+        if proof == Proof::Open && is_mutated {
+            proof = self.exhaust(name)?.unwrap_or(proof);
         }
         if proof != Proof::Equivalent && open != whole && !is_large(&within) {
             proof = self.compare(module, &whole)?;

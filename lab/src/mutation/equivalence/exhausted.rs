@@ -1,0 +1,113 @@
+//! Operators of one operand, compared on every operand that there is.
+//!
+//! Steps of a root or of a quotient keep to ranges that no prover finds. But an operator is a pipeline: what it answers depends on
+//! its operand alone. With its registers taken for wires it is a function, which a simulator computes millions of times a second.
+//! That the mutant is such a pipeline, too, is shown first: it holds while it is not enabled, and without registers it has no loop.
+
+use super::{Proof, Prover};
+use crate::mutation::MutationError;
+use crate::mutation::process::{self, Verdict};
+use crate::mutation::schemata::NETLIST;
+use crate::mutation::side_by_side::VERSIONS;
+use pointcore_tb::cache::file;
+use pointcore_tb::verilated::{Direction, ModuleInterface, Port};
+use std::fs;
+use std::process::Command;
+use std::time::Duration;
+
+/// Bits of the longest operand.
+const OPERAND_BITS: u32 = 32;
+/// The module in which an operator is enabled at all times, or never.
+const ENABLED: &str = "enabled";
+/// Registers as yosys has them, and as wires.
+const REGISTERS: &str = "t:$dff* t:$sdff* t:$adff* t:$dlatch* %u %u %u";
+const WIRES: &str = "(* techmap_celltype = \"$dff\" *)\nmodule wires(CLK, D, Q);\nparameter WIDTH = 1;\n\
+    parameter CLK_POLARITY = 1;\ninput CLK;\ninput [WIDTH-1:0] D;\noutput [WIDTH-1:0] Q;\nassign Q = D;\nendmodule\n";
+
+/// Goes through all operands.
+const LOOP: &str = include_str!("exhausted.cpp");
+
+/// The operand and the result of an operator that has one operand.
+fn ports(interface: &ModuleInterface) -> Option<[&Port; 2]> {
+    let mut operands = interface.ports.iter().filter(|port| port.direction == Direction::Input);
+    let result = interface.ports.iter().find(|port| port.direction == Direction::Output)?;
+    let operand = operands.find(|port| !["clk", "enable"].contains(&&*port.name))?;
+    let has_enable = interface.ports.iter().any(|port| port.name == "enable");
+    (interface.ports.len() == 4 && has_enable && operand.width <= OPERAND_BITS).then_some([operand, result])
+}
+
+impl Prover<'_> {
+    /// Compares an operator with its mutant, if it has one operand: `None` of another module, or of a mutant that is no pipeline.
+    pub(super) fn exhaust(&self, module: &str) -> Result<Option<Proof>, MutationError> {
+        let known = self.subject.interfaces.iter().find(|interface| interface.name == module);
+        let Some([operand, result]) = known.and_then(ports) else { return Ok(None) };
+        let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
+        let folder = scratch.path();
+        let write = |name: &str, text: &str| {
+            let path = folder.join(name);
+            fs::write(&path, text).map_err(file("write", &path))
+        };
+        let range = |port: &Port| format!("[{}:0] {}", port.width - 1, port.name);
+        let around = |enable: u32| {
+            format!(
+                "module {ENABLED}(input clk, input {}, output {});\n{module} unit(.clk(clk), .enable(1'd{enable}), \
+                 .{2}({2}), .{3}({3}));\nendmodule\n",
+                range(operand),
+                range(result),
+                operand.name,
+                result.name
+            )
+        };
+        let flat = |mutation: &str, around: &str| {
+            format!(
+                "read_verilog source.v\nhierarchy -top {module}\n{NETLIST}{mutation}\nread_verilog {around}\n\
+                 hierarchy -top {ENABLED}\nproc\nflatten\nmemory\nopt -full\n"
+            )
+        };
+        let [gold, gate] = VERSIONS;
+        let as_wires = |name: &str, mutation: &str| {
+            format!(
+                "{}opt_dff -nodffe -nosdff\ntechmap -map wires.v\nselect -assert-none {REGISTERS}\ncheck -assert\n\
+                 rename {ENABLED} {name}\nwrite_verilog -noattr {name}.v\ndesign -reset\n",
+                flat(mutation, "runs.v")
+            )
+        };
+        let holds = format!("{}select -assert-none {REGISTERS}\ndesign -reset\n", flat(self.mutation, "holds.v"));
+        write("source.v", &self.subject.verilog)?;
+        write("runs.v", &around(1))?;
+        write("holds.v", &around(0))?;
+        write("wires.v", WIRES)?;
+        write("pipelines.ys", &[holds, as_wires(gold, ""), as_wires(gate, self.mutation)].concat())?;
+        if self.yosys.run(module, folder, &["-q", "pipelines.ys"]).is_err() {
+            return Ok(None);
+        }
+        let connected = |version: &str| {
+            format!(
+                "{version} {version}(.clk(1'd0), .{0}(operand), .{1}({version}_result));\n",
+                operand.name, result.name
+            )
+        };
+        let [operand_range, result_range] = [operand.width, result.width].map(|width| width - 1);
+        write(
+            "both.v",
+            &format!(
+                "module both(input [{operand_range}:0] operand, output differ);\nwire [{result_range}:0] gold_result, \
+                 gate_result;\n{}{}assign differ = gold_result != gate_result;\nendmodule\n",
+                connected(gold),
+                connected(gate)
+            ),
+        )?;
+        write("loop.cpp", &LOOP.replace("OPERAND_BITS", &operand.width.to_string()))?;
+        let mut build = Command::new("verilator");
+        build.args(["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "-Wno-fatal", "-Wno-lint", "-Wno-style"]);
+        build.args(["-CFLAGS", "-O3", "--top-module", "both", "both.v", "gold.v", "gate.v", "loop.cpp"]);
+        process::output(build.current_dir(folder))?;
+        let run = Command::new(folder.join("obj_dir/Vboth"));
+        let limit = Duration::from_secs((4 * self.seconds).into());
+        Ok(Some(match process::run(run, limit, |line| line.starts_with("differs"))? {
+            Verdict::Passed => Proof::Equivalent,
+            Verdict::Failed(_) => Proof::Different,
+            Verdict::Stuck => Proof::Open,
+        }))
+    }
+}
