@@ -455,6 +455,18 @@ module bus_reader_v2 (
     end
 
     wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[6:3], request_address[4:0]};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        no_request_is_longer_than_any_may_be: assert (~request_valid | ~(3'd4 < request_records));
+`else
+        if (!(~request_valid | ~(3'd4 < request_records))) begin
+            $display("assertion failed: no_request_is_longer_than_any_may_be in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Takes bursts of words into a memory, and refuses all others.
@@ -791,6 +803,18 @@ module bus_reader (
     end
 
     wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        no_request_is_longer_than_any_may_be: assert (~request_valid | ~(3'd4 < request_records));
+`else
+        if (!(~request_valid | ~(3'd4 < request_records))) begin
+            $display("assertion failed: no_request_is_longer_than_any_may_be in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.

@@ -152,7 +152,8 @@ module points_axi_test;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "points_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 14, EVENT_BITS = 1;
-    localparam [31:0] NAME_MASK = 32'hffffff, SECOND_NAME_MASK = 32'h0, END_MASK = 32'h0;
+    localparam [319:0] NAME_MASK = 320'h00000000000000000000000000000000000000000000000000000000000000000000000000ffffff;
+    localparam [31:0] END_MASK = 32'h0;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -412,7 +413,7 @@ module points_axi_test;
         end
     end
 
-    // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
+    // Packets from the core: those of an answer in their order, answers in any order. Some of its bits name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
     integer answer_next [0:ANSWERS-1];
     integer answer_packets [0:ANSWERS-1];
@@ -432,9 +433,9 @@ module points_axi_test;
     function is_of_answer(input integer next);
         if (((packet[31:0] | words[next]) & END_MASK) != 0) is_of_answer = (packet[31:0] & words[next] & END_MASK) != 0;
         else begin
-            is_of_answer = ((packet[31:0] ^ words[next]) & NAME_MASK) == 0;
-            for (int k = 1; k < PACKET_WORDS && k < 2; k = k + 1)
-                if (((packet[32*k +: 32] ^ words[next + k]) & SECOND_NAME_MASK) != 0) is_of_answer = 1'b0;
+            is_of_answer = 1'b1;
+            for (int k = 0; k < PACKET_WORDS; k = k + 1)
+                if (((packet[32*k +: 32] ^ words[next + k]) & NAME_MASK[32*k +: 32]) != 0) is_of_answer = 1'b0;
         end
     endfunction
 

@@ -217,10 +217,10 @@ endmodule
 module search_leaf_replay(output reg passed = 1'b0);
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [63:0] words [0:22093];
-    reg [860:0] vector = 0;
-    reg [860:0] next = 0;
-    wire [860:0] found;
+    reg [63:0] words [0:21954];
+    reg [856:0] vector = 0;
+    reg [856:0] next = 0;
+    wire [856:0] found;
     reg changes;
     reg [6:0] changed;
     integer place = 0;
@@ -278,10 +278,10 @@ module search_leaf_replay(output reg passed = 1'b0);
         .candidates_thread(found[709:706]),
         .candidates_address(found[731:710]),
         .candidates_last(found[732]),
-        .candidates_distance0(found[764:733]),
-        .candidates_distance1(found[796:765]),
-        .candidates_distance2(found[828:797]),
-        .candidates_distance3(found[860:829])
+        .candidates_distance0(found[763:733]),
+        .candidates_distance1(found[794:764]),
+        .candidates_distance2(found[825:795]),
+        .candidates_distance3(found[856:826])
     );
 
     always #5 clk = !clk;
@@ -312,7 +312,7 @@ module search_leaf_replay(output reg passed = 1'b0);
             if (changed[3]) begin take(99, 4); take(103, 22); take(125, 3); end
             if (changed[4]) begin take(129, 4); take(133, 24); take(157, 6); take(163, 32); take(195, 32); take(227, 32); take(259, 32); end
             if (changed[5]) begin take(293, 4); take(297, 22); take(319, 1); take(320, 32); take(352, 32); take(384, 32); take(416, 32); take(448, 32); take(480, 32); take(512, 32); take(544, 32); take(576, 32); take(608, 32); take(640, 32); take(672, 32); end
-            if (changed[6]) begin take(706, 4); take(710, 22); take(732, 1); take(733, 32); take(765, 32); take(797, 32); take(829, 32); end
+            if (changed[6]) begin take(706, 4); take(710, 22); take(732, 1); take(733, 31); take(764, 31); take(795, 31); take(826, 31); end
             vector = next;
         end
     endtask
@@ -341,10 +341,10 @@ module search_leaf_replay(output reg passed = 1'b0);
             if (vector[704] && found[709:706] !== vector[709:706]) differ("candidates_thread");
             if (vector[704] && found[731:710] !== vector[731:710]) differ("candidates_address");
             if (vector[704] && found[732] !== vector[732]) differ("candidates_last");
-            if (vector[704] && found[764:733] !== vector[764:733]) differ("candidates_distance0");
-            if (vector[704] && found[796:765] !== vector[796:765]) differ("candidates_distance1");
-            if (vector[704] && found[828:797] !== vector[828:797]) differ("candidates_distance2");
-            if (vector[704] && found[860:829] !== vector[860:829]) differ("candidates_distance3");
+            if (vector[704] && found[763:733] !== vector[763:733]) differ("candidates_distance0");
+            if (vector[704] && found[794:764] !== vector[794:764]) differ("candidates_distance1");
+            if (vector[704] && found[825:795] !== vector[825:795]) differ("candidates_distance2");
+            if (vector[704] && found[856:826] !== vector[856:826]) differ("candidates_distance3");
             @(negedge clk);
         end
         if (differences != 0) $fatal(1, "FAILED");

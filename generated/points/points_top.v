@@ -5817,12 +5817,12 @@ module search_top (
     wire traversal_push_valid;
     wire [3:0] traversal_push_thread;
     wire [14:0] traversal_push_node;
-    wire [31:0] traversal_push_distance2;
+    wire [30:0] traversal_push_distance2;
     wire traversal_reached_valid;
     wire [3:0] traversal_reached_thread;
     wire stack_top_empty;
     wire [14:0] stack_top_node;
-    wire [31:0] stack_top_distance2;
+    wire [30:0] stack_top_distance2;
     wire recursion_in_ready, recursion_resume_valid;
     wire [3:0] recursion_resume_thread;
     wire [14:0] recursion_resume_node;
@@ -5838,18 +5838,18 @@ module search_top (
     wire [3:0] leaf_candidates_thread;
     wire [21:0] leaf_candidates_address;
     wire leaf_candidates_last;
-    wire [31:0] leaf_candidates_distance0, leaf_candidates_distance1, leaf_candidates_distance2;
-    wire [31:0] leaf_candidates_distance3;
+    wire [30:0] leaf_candidates_distance0, leaf_candidates_distance1, leaf_candidates_distance2;
+    wire [30:0] leaf_candidates_distance3;
     wire sieve_candidates_ready, sieve_kept_valid;
     wire [3:0] sieve_kept_thread;
     wire [21:0] sieve_kept_address;
     wire sieve_kept_last;
-    wire [31:0] sieve_kept_distance0, sieve_kept_distance1, sieve_kept_distance2, sieve_kept_distance3;
+    wire [30:0] sieve_kept_distance0, sieve_kept_distance1, sieve_kept_distance2, sieve_kept_distance3;
     wire sieve_skipped_valid;
     wire [3:0] sieve_skipped_thread;
     wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [3:0] queue_radius_thread;
-    wire [31:0] queue_radius_radius2;
+    wire [30:0] queue_radius_radius2;
     wire queue_released_valid;
     wire [3:0] queue_released_thread;
     wire point_cache_fetch_ready, point_cache_beat_valid;
@@ -6516,15 +6516,15 @@ module search_queue (
     input  wire [3:0] candidates_thread,  // Thread.
     input  wire [21:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
-    input  wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
     input  wire finish_valid, output wire finish_ready,  // Threads whose search is over.
     input  wire [3:0] finish_thread,  // Thread.
     output reg  radius_valid,  // A thread's radius after a leaf.
     output reg  [3:0] radius_thread,  // Thread.
-    output reg  [31:0] radius_radius2,  // Squared radius.
+    output reg  [30:0] radius_radius2,  // Squared radius.
     output reg  event_insert,  // A neighbor was inserted.
     output reg  released_valid,  // A thread whose results are safe.
     output reg  [3:0] released_thread,  // Thread.
@@ -6538,11 +6538,11 @@ module search_queue (
     output reg  event_insert_wait  // A beat stayed for one more insertion.
 );
     (* ram_style = "distributed" *)
-    reg [186:0] arrivals [0:1];
+    reg [181:0] arrivals [0:1];
     (* ram_style = "distributed" *)
-    reg [31:0] query_radii [0:15];
+    reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
-    reg [31:0] leaf_radii [0:15];
+    reg [30:0] leaf_radii [0:15];
     reg [1:0] arrivals_count;
     reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [3:0] owner;
@@ -6553,15 +6553,15 @@ module search_queue (
     reg [3:0] beat_thread;  // Thread.
     reg [21:0] beat_address;  // Address in the point memory.
     reg beat_last;  // Closes its leaf.
-    reg [31:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] beat_distance1;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] beat_distance2;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] beat_distance3;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] beat_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] beat_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] beat_distance3;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [3:0] item_thread;
     reg item_fresh;
     reg [23:0] new_index;  // The point's place in the point memory.
-    reg [30:0] new_distance2;  // Its squared distance, but for the sign, which no square has.
+    reg [30:0] new_distance2;  // Its squared distance.
     reg [31:0] nearer;
     reg new_last;
     reg [3:0] new_thread;
@@ -6573,7 +6573,7 @@ module search_queue (
     wire [1791:0] stored;
     wire [91:0] query;
     reg [23:0] item_index;  // The point's place in the point memory.
-    reg [30:0] item_distance2;  // Its squared distance, but for the sign, which no square has.
+    reg [30:0] item_distance2;  // Its squared distance.
     reg [15:0] from_leaf;
     reg [1791:0] sent_row;
     reg [23:0] sent_number;
@@ -6632,7 +6632,7 @@ module search_queue (
     wire [30:0] result_distance2_choice_15 = position[4] ? result_distance2_choice_7 : result_distance2_choice_14;
     wire write_back = item_reads & owned;
     wire [23:0] inserted_row_choice = nearer[31] ? (nearer[30] ? working[1734:1711] : new_index) : working[1790:1767];
-    wire [30:0] farthest_choice = nearer[31] ? (nearer[30] ? working[1710:1680] : new_distance2) : working[1766:1736];
+    wire [30:0] radius_radius2_choice = nearer[31] ? (nearer[30] ? working[1710:1680] : new_distance2) : working[1766:1736];
     wire [23:0] inserted_row_choice_2 = nearer[30] ? (nearer[29] ? working[1678:1655] : new_index) : working[1734:1711];
     wire [30:0] inserted_row_choice_3 = nearer[30] ? (nearer[29] ? working[1654:1624] : new_distance2) : working[1710:1680];
     wire [23:0] inserted_row_choice_4 = nearer[29] ? (nearer[28] ? working[1622:1599] : new_index) : working[1678:1655];
@@ -6695,7 +6695,7 @@ module search_queue (
     wire [30:0] inserted_row_choice_61 = nearer[1] ? (nearer[0] ? working[30:0] : new_distance2) : working[86:56];
     wire [1791:0] inserted_row = {
         nearer[31] ? (nearer[30] ? working[1735] : 1'd1) : working[1791], inserted_row_choice,
-        farthest_choice, nearer[30] ? (nearer[29] ? working[1679] : 1'd1) : working[1735],
+        radius_radius2_choice, nearer[30] ? (nearer[29] ? working[1679] : 1'd1) : working[1735],
         inserted_row_choice_2, inserted_row_choice_3,
         nearer[29] ? (nearer[28] ? working[1623] : 1'd1) : working[1679], inserted_row_choice_4,
         inserted_row_choice_5, nearer[28] ? (nearer[27] ? working[1567] : 1'd1) : working[1623],
@@ -6755,9 +6755,9 @@ module search_queue (
     wire done = moves & ~stays;
     wire beat_free = ~beat_valid | done;
     wire [3:0] tail = item_valid ? item_thread : owner;
-    wire [186:0] arrivals_head = arrivals[arrivals_read_address];
-    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
-    wire follows_beat = beat_thread == arrivals_head[186:183];
+    wire [181:0] arrivals_head = arrivals[arrivals_read_address];
+    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[181:178]);
+    wire follows_beat = beat_thread == arrivals_head[181:178];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [1791:0] initial_row = {
@@ -6797,29 +6797,23 @@ module search_queue (
         start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
         start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[186:183];
+    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[181:178];
     wire is_fresh = is_fresh_shifted[0];
     wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[186:183]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[181:178]) & ~farthest_will_be_known_choice;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_either = ~farthest_will_be_known | (arrivals_head[63:32] < {1'd0, farthest});
-    wire beat_pending_both = (arrivals_head[63:32] < arrivals_head[31:0]) & beat_pending_either;
-    wire beat_pending_either_2 = ~farthest_will_be_known | (arrivals_head[95:64] < {1'd0, farthest});
-    wire beat_pending_both_2 = (arrivals_head[95:64] < arrivals_head[31:0]) & beat_pending_either_2;
-    wire beat_pending_either_3 = ~farthest_will_be_known | (arrivals_head[127:96] < {1'd0, farthest});
-    wire beat_pending_both_3 = (arrivals_head[127:96] < arrivals_head[31:0]) & beat_pending_either_3;
-    wire beat_pending_either_4 = ~farthest_will_be_known | (arrivals_head[159:128] < {1'd0, farthest});
-    wire beat_pending_both_4 = (arrivals_head[159:128] < arrivals_head[31:0]) & beat_pending_either_4;
+    wire beat_pending_both = (arrivals_head[61:31] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[61:31] < farthest));
+    wire beat_pending_both_2 = (arrivals_head[92:62] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[92:62] < farthest));
+    wire beat_pending_both_3 = (arrivals_head[123:93] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[123:93] < farthest));
+    wire beat_pending_both_4 = (arrivals_head[154:124] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[154:124] < farthest));
     wire [3:0] beat_pending_bits = {beat_pending_both, beat_pending_both_2, beat_pending_both_3, beat_pending_both_4};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire [3:0] left_bits = {
-        ~farthest_is_known | (beat_distance3 < {1'd0, farthest}),
-        ~farthest_is_known | (beat_distance2 < {1'd0, farthest}),
-        ~farthest_is_known | (beat_distance1 < {1'd0, farthest}),
-        ~farthest_is_known | (beat_distance0 < {1'd0, farthest})
+        ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
+        ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
     wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
@@ -6946,8 +6940,7 @@ module search_queue (
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
-    wire [31:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
-    wire [31:0] item_distance2_choice_2 = chosen[0] ? beat_distance0 : item_distance2_choice;
+    wire [30:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
         radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
@@ -6959,8 +6952,8 @@ module search_queue (
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] arrivals_data_shifted = from_leaf >> candidates_thread;
-    wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
-    wire [31:0] query_radius2 = query_radii[candidates_thread];
+    wire [30:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [30:0] query_radius2 = query_radii[candidates_thread];
 
     assign candidates_ready = arrivals_has_room;
     assign result_valid = sending;
@@ -7056,23 +7049,23 @@ module search_queue (
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= {1'd0, farthest_choice};
-        farthest <= farthest_choice;
+        radius_radius2 <= radius_radius2_choice;
+        farthest <= radius_radius2_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= item_distance2_choice_2[30:0];
+        item_distance2 <= chosen[0] ? beat_distance0 : item_distance2_choice;
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[186:183];
-            beat_address <= arrivals_head[182:161];
-            beat_last <= arrivals_head[160];
-            beat_distance0 <= arrivals_head[159:128];
-            beat_distance1 <= arrivals_head[127:96];
-            beat_distance2 <= arrivals_head[95:64];
-            beat_distance3 <= arrivals_head[63:32];
+            beat_thread <= arrivals_head[181:178];
+            beat_address <= arrivals_head[177:156];
+            beat_last <= arrivals_head[155];
+            beat_distance0 <= arrivals_head[154:124];
+            beat_distance1 <= arrivals_head[123:93];
+            beat_distance2 <= arrivals_head[92:62];
+            beat_distance3 <= arrivals_head[61:31];
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
@@ -7091,13 +7084,13 @@ module search_queue (
             };
         end
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[30:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
         1'b0, arrivals_data_shifted[15:1], fetch_from_nothing_shifted[15:1],
-        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], item_distance2_choice_2[31], start_x,
-        start_y, start_z
+        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], start_radius2[31], start_x, start_y,
+        start_z
     };
 
 `ifdef RTL_ASSERT
@@ -7106,28 +7099,12 @@ module search_queue (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
-        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
-        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
-        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
-        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
@@ -7161,57 +7138,57 @@ module search_sieve (
     input  wire [31:0] start_z,  // Where.
     input  wire radius_valid,  // A thread's new radius.
     input  wire [3:0] radius_thread,  // Thread.
-    input  wire [31:0] radius_radius2,  // Squared radius.
+    input  wire [30:0] radius_radius2,  // Squared radius.
     input  wire candidates_valid, output wire candidates_ready,  // Squared distances; the beats of a leaf come together.
     input  wire [3:0] candidates_thread,  // Thread.
     input  wire [21:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
-    input  wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
-    input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    input  wire [30:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
     output wire kept_valid, input wire kept_ready,  // Beats with a point that is near enough.
     output wire [3:0] kept_thread,  // Thread.
     output wire [21:0] kept_address,  // Address in the point memory.
     output wire kept_last,  // Closes its leaf.
-    output wire [31:0] kept_distance0,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] kept_distance1,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] kept_distance2,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] kept_distance3,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] kept_distance0,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] kept_distance1,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] kept_distance2,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] kept_distance3,  // A squared distance a lane; NaN where there is no point.
     output reg  skipped_valid,  // The thread of a leaf of which no beat was kept.
     output reg  [3:0] skipped_thread  // Thread.
 );
     (* ram_style = "distributed" *)
-    reg [31:0] query_radii [0:15];
+    reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
-    reg [31:0] leaf_radii [0:15];
+    reg [30:0] leaf_radii [0:15];
     reg s1_valid;
     reg [3:0] s1_thread;  // Thread.
     reg [21:0] s1_address;  // Address in the point memory.
     reg s1_last;  // Closes its leaf.
-    reg [31:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s1_distance1;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s1_distance2;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s1_distance3;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s1_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s1_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s1_distance3;  // A squared distance a lane; NaN where there is no point.
     reg [15:0] from_leaf;
-    reg [31:0] radius2;
+    reg [30:0] radius2;
     reg s2_valid, s2_survives;
     reg [3:0] s2_thread;  // Thread.
     reg [21:0] s2_address;  // Address in the point memory.
     reg s2_last;  // Closes its leaf.
-    reg [31:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s2_distance1;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s2_distance2;  // A squared distance a lane; NaN where there is no point.
-    reg [31:0] s2_distance3;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s2_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s2_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] s2_distance3;  // A squared distance a lane; NaN where there is no point.
     reg held_valid, held_last;
     reg [3:0] held_thread;  // Thread.
     reg [21:0] held_address;
-    reg [31:0] held_distance0, held_distance1, held_distance2, held_distance3;
+    reg [30:0] held_distance0, held_distance1, held_distance2, held_distance3;
 
     wire candidates_queue_out_valid;
-    wire [154:0] candidates_queue_out_data;
+    wire [150:0] candidates_queue_out_data;
     wire kept_queue_in_ready;
-    wire [154:0] kept_queue_out_data;
+    wire [150:0] kept_queue_out_data;
 
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
@@ -7220,13 +7197,13 @@ module search_sieve (
     wire decides = ~s2_valid | proceeds;
     wire advance = ~s1_valid | decides;
     wire leaves = displaced & kept_queue_in_ready;
-    wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[154:151];
-    wire [21:0] candidates_queue_out_address = candidates_queue_out_data[150:129];
-    wire candidates_queue_out_last = candidates_queue_out_data[128];
-    wire [31:0] candidates_queue_out_distance0 = candidates_queue_out_data[127:96];
-    wire [31:0] candidates_queue_out_distance1 = candidates_queue_out_data[95:64];
-    wire [31:0] candidates_queue_out_distance2 = candidates_queue_out_data[63:32];
-    wire [31:0] candidates_queue_out_distance3 = candidates_queue_out_data[31:0];
+    wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[150:147];
+    wire [21:0] candidates_queue_out_address = candidates_queue_out_data[146:125];
+    wire candidates_queue_out_last = candidates_queue_out_data[124];
+    wire [30:0] candidates_queue_out_distance0 = candidates_queue_out_data[123:93];
+    wire [30:0] candidates_queue_out_distance1 = candidates_queue_out_data[92:62];
+    wire [30:0] candidates_queue_out_distance2 = candidates_queue_out_data[61:31];
+    wire [30:0] candidates_queue_out_distance3 = candidates_queue_out_data[30:0];
     wire [15:0] query_set = {
         start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
         start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
@@ -7248,8 +7225,8 @@ module search_sieve (
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
-    wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
-    wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [30:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [30:0] query_radius2 = query_radii[candidates_queue_out_thread];
     wire [3:0] s2_survives_bits = {s1_distance3 < radius2, s1_distance2 < radius2, s1_distance1 < radius2, s1_distance0 < radius2};
     wire keep = near & proceeds;
     wire ends = s2_valid & s2_last & (~near & proceeds);
@@ -7259,7 +7236,7 @@ module search_sieve (
         kept_thread, kept_address, kept_last, kept_distance0, kept_distance1, kept_distance2, kept_distance3
     } = kept_queue_out_data;
 
-    stream_skid_w155 candidates_queue (
+    stream_skid_w151 candidates_queue (
         .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_ready),
         .in_data({
             candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
@@ -7268,7 +7245,7 @@ module search_sieve (
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
-    stream_fifo_d16_w155 kept_queue (
+    stream_fifo_d16_w151 kept_queue (
         .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({
             held_thread, held_address, held_last, held_distance0, held_distance1, held_distance2, held_distance3
@@ -7322,38 +7299,18 @@ module search_sieve (
             held_distance3 <= s2_distance3;
         end
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[30:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, radius2_shifted[15:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, radius2_shifted[15:1], start_k, start_number, start_radius2[31], start_x, start_y, start_z};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
-        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
-        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 32'h80000000));
-        candidates_distance1_in_range: assert (~candidates_valid | (candidates_distance1 < 32'h80000000));
-        candidates_distance2_in_range: assert (~candidates_valid | (candidates_distance2 < 32'h80000000));
-        candidates_distance3_in_range: assert (~candidates_valid | (candidates_distance3 < 32'h80000000));
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
-            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance0 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance1 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance1_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance2 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance3 < 32'h80000000))) begin
-            $display("assertion failed: candidates_distance3_in_range in %m"); $stop;
         end
 `endif
     end
@@ -7362,15 +7319,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
-// width = 155
-module stream_fifo_d16_w155 (
+// width = 151
+module stream_fifo_d16_w151 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [150:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [150:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
-    wire [154:0] item;
+    wire [150:0] item;
 
     wire has_room = ~held[4];
     wire push = in_valid & has_room;
@@ -7380,7 +7337,7 @@ module stream_fifo_d16_w155 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(155), .DEPTH(16)) entries (
+    memory_1w1r_unordered #(.WIDTH(151), .DEPTH(16)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -7417,14 +7374,14 @@ module stream_fifo_d16_w155 (
 endmodule
 
 // Queue of two in registers.
-// width = 155
-module stream_skid_w155 (
+// width = 151
+module stream_skid_w151 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [150:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [150:0] out_data
 );
     reg second_valid;
-    reg [154:0] head, second;
+    reg [150:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -7507,10 +7464,10 @@ module search_leaf (
     output wire [3:0] candidates_thread,  // Thread.
     output wire [21:0] candidates_address,  // Address in the point memory.
     output wire candidates_last,  // Closes its leaf.
-    output wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
-    output wire [31:0] candidates_distance3  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    output wire [30:0] candidates_distance3  // A squared distance a lane; NaN where there is no point.
 );
     reg f0_valid, f1_valid;
     reg [3:0] f0_thread, f1_thread;
@@ -7681,8 +7638,8 @@ module search_distance (
     input  wire [31:0] in_y3, input wire [31:0] in_z3, input wire [31:0] in_query_x,
     input  wire [31:0] in_query_y, input wire [31:0] in_query_z,
     output wire out_valid, input wire out_ready, output wire [3:0] out_thread,
-    output wire [21:0] out_address, output wire out_last, output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1, output wire [31:0] out_distance2, output wire [31:0] out_distance3
+    output wire [21:0] out_address, output wire out_last, output wire [30:0] out_distance0,
+    output wire [30:0] out_distance1, output wire [30:0] out_distance2, output wire [30:0] out_distance3
 );
     (* ram_style = "distributed" *)
     reg [95:0] delay_6_from_0 [0:4];
@@ -7711,7 +7668,7 @@ module search_distance (
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
     wire queue_1_in_ready;
-    wire [122:0] queue_1_out_data;
+    wire [119:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
 
     assign in_ready = ~credits[5];
@@ -7876,18 +7833,18 @@ module search_distance (
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    stream_fifo_d27_w123_distributed queue_1 (
+    stream_fifo_d27_w120_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
-            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
-            add_f32_ftz_unit_copy15_y
+            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y[30:0], add_f32_ftz_unit_copy10_y[30:0],
+            add_f32_ftz_unit_copy15_y[30:0]
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d27_w32_distributed queue_2 (
+    stream_fifo_d27_w31_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data(add_f32_ftz_unit_copy20_y),
+        .in_data(add_f32_ftz_unit_copy20_y[30:0]),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(out_distance3)
     );
 
@@ -7921,7 +7878,10 @@ module search_distance (
         delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
+    wire _unused = &{
+        1'b0, add_f32_ftz_unit_copy10_y[31], add_f32_ftz_unit_copy15_y[31], add_f32_ftz_unit_copy20_y[31],
+        add_f32_ftz_unit_copy5_y[31], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -7946,17 +7906,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 27
-// width = 32
+// width = 31
 // storage = distributed
-module stream_fifo_d27_w32_distributed (
+module stream_fifo_d27_w31_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [30:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [30:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [31:0] entries [0:26];
+    reg [30:0] entries [0:26];
     reg [4:0] held, waiting, write_address, read_address;
-    reg [31:0] item;
+    reg [30:0] item;
 
     wire has_room = ~(held == 5'd27);
     wire push = in_valid & has_room;
@@ -8003,17 +7963,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 27
-// width = 123
+// width = 120
 // storage = distributed
-module stream_fifo_d27_w123_distributed (
+module stream_fifo_d27_w120_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [122:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [122:0] entries [0:26];
+    reg [119:0] entries [0:26];
     reg [4:0] held, waiting, write_address, read_address;
-    reg [122:0] item;
+    reg [119:0] item;
 
     wire has_room = ~(held == 5'd27);
     wire push = in_valid & has_room;
@@ -8158,12 +8118,12 @@ module search_recursion (
     input  wire [31:0] start_z,  // Where.
     input  wire radius_valid,  // A thread's new radius.
     input  wire [3:0] radius_thread,  // Thread.
-    input  wire [31:0] radius_radius2,  // Squared radius.
+    input  wire [30:0] radius_radius2,  // Squared radius.
     input  wire in_valid, output wire in_ready,  // Threads that want their next path.
     input  wire [3:0] in_thread,  // Thread.
     input  wire top_empty,  // The stack of the last pop was empty.
     input  wire [14:0] top_node,  // The subtree's root.
-    input  wire [31:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
+    input  wire [30:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
     output wire resume_valid, input wire resume_ready,  // Descents from a path that was not taken before.
     output wire [3:0] resume_thread,  // Thread.
     output wire [14:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
@@ -8174,16 +8134,16 @@ module search_recursion (
     output reg  event_pop  // A path was popped.
 );
     (* ram_style = "distributed" *)
-    reg [31:0] query_radii [0:15];
+    reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
-    reg [31:0] leaf_radii [0:15];
+    reg [30:0] leaf_radii [0:15];
     reg r0_valid, r1_valid, r2_valid;
     reg [3:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [14:0] path_node;  // The subtree's root.
-    reg [31:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
+    reg [30:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
     reg [15:0] from_leaf;
-    reg [31:0] radius2;
+    reg [30:0] radius2;
 
     wire in_queue_out_valid;
     wire [3:0] in_queue_out_data;
@@ -8217,8 +8177,8 @@ module search_recursion (
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] from_leaf_shifted_by_r1_thread = from_leaf >> r1_thread;
-    wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
-    wire [31:0] query_radius2 = query_radii[r1_thread];
+    wire [30:0] leaf_radius2 = leaf_radii[r1_thread];
+    wire [30:0] query_radius2 = query_radii[r1_thread];
 
     assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
@@ -8265,10 +8225,13 @@ module search_recursion (
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         empty_thread <= r2_thread;
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[30:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{
+        1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_radius2[31], start_x,
+        start_y, start_z
+    };
 
 `ifdef RTL_ASSERT
     reg [15:0] begun;
@@ -8283,14 +8246,10 @@ module search_recursion (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
-        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 32'h80000000));
         a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~radius_valid | (radius_radius2 < 32'h80000000))) begin
-            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
         end
         if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
             $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
@@ -8353,16 +8312,16 @@ module search_stack (
     input  wire push_valid,  // A path to remember.
     input  wire [3:0] push_thread,  // Thread.
     input  wire [14:0] push_node,  // The subtree's root.
-    input  wire [31:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    input  wire [30:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
     input  wire pop_valid,  // A thread that wants its last path back.
     input  wire [3:0] pop_thread,  // Thread.
     output reg  top_empty,  // The stack of the last pop was empty.
     output wire [14:0] top_node,  // The subtree's root.
-    output wire [31:0] top_distance2  // Squared distance of the query to the splitting plane before it.
+    output wire [30:0] top_distance2  // Squared distance of the query to the splitting plane before it.
 );
     reg [3:0] depth_0, depth_1, depth_2, depth_3, depth_4, depth_5, depth_6, depth_7, depth_8, depth_9, depth_10;
     reg [3:0] depth_11, depth_12, depth_13, depth_14, depth_15;
-    wire [46:0] top;
+    wire [45:0] top;
 
     wire [3:0] push_depth_choice = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
     wire [3:0] push_depth_choice_2 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
@@ -8396,7 +8355,7 @@ module search_stack (
 
     assign {top_node, top_distance2} = top;
 
-    memory_1w1r_unordered #(.WIDTH(47), .DEPTH(256)) paths (
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) paths (
         .clk(clk), .write(push_valid), .write_address({push_thread, push_depth}),
         .write_data({push_node, push_distance2}),
         .read(takes), .read_address({pop_thread, pop_depth - 4'd1}), .read_data(top)
@@ -8445,13 +8404,9 @@ module search_stack (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        push_distance2_in_range: assert (~push_valid | (push_distance2 < 32'h80000000));
         stack_has_room: assert (~push_valid | (push_depth < 4'd14));
         one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
-        if (!(~push_valid | (push_distance2 < 32'h80000000))) begin
-            $display("assertion failed: push_distance2_in_range in %m"); $stop;
-        end
         if (!(~push_valid | (push_depth < 4'd14))) begin
             $display("assertion failed: stack_has_room in %m"); $stop;
         end
@@ -8497,7 +8452,7 @@ module search_traversal (
     output wire push_valid,  // A path to remember.
     output wire [3:0] push_thread,  // Thread.
     output wire [14:0] push_node,  // The subtree's root.
-    output wire [31:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    output wire [30:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
     output wire reached_valid,  // A thread's descent ended in a leaf.
     output wire [3:0] reached_thread  // Thread.
 );
@@ -8686,7 +8641,7 @@ module search_path (
     input  wire in_valid, output wire in_ready, input wire in_is_leaf, input wire [3:0] in_thread,
     input  wire [14:0] in_node, input wire [31:0] in_coordinate, input wire [31:0] in_split,
     output wire out_valid, input wire out_ready, output wire out_is_leaf, output wire [3:0] out_thread,
-    output wire [14:0] out_node, output wire [31:0] out_distance2
+    output wire [14:0] out_node, output wire [30:0] out_distance2
 );
     (* ram_style = "distributed" *)
     reg [19:0] delay_11_from_0 [0:9];
@@ -8696,7 +8651,7 @@ module search_path (
     reg shown, shown_is_leaf;
     reg [3:0] shown_thread;
     reg [14:0] shown_node;
-    reg [31:0] shown_distance2;
+    reg [30:0] shown_distance2;
 
     wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
@@ -8736,14 +8691,14 @@ module search_path (
         shown_is_leaf <= is_leaf_d11;
         shown_thread <= thread_d11;
         shown_node <= node_d11;
-        shown_distance2 <= mul_f32_ftz_unit_y;
+        shown_distance2 <= mul_f32_ftz_unit_y[30:0];
     end
     always @(posedge clk) begin
         delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, out_ready};
+    wire _unused = &{1'b0, mul_f32_ftz_unit_y[31], out_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin

@@ -228,12 +228,14 @@ module axi_test_writes #(parameter BITS = 64, parameter BEATS = 1, parameter TIL
 endmodule
 
 module splat_axi_test;
-    localparam WORDS = 83257, ANSWERS = 51;
+    localparam WORDS = 105198, ANSWERS = 49;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6, EVENT_BITS = 1;
-    localparam [31:0] NAME_MASK = 32'h787800, SECOND_NAME_MASK = 32'h0, END_MASK = 32'h1;
+    localparam [127:0] NAME_MASK = 128'h00000000000000000000000000787800;
+    localparam [31:0] END_MASK = 32'h1;
     localparam TILES = 512, PIXEL_BEATS = 4;
+    localparam [255:0] PIXEL_HELD = 256'h00000000000000000000ffffffffffff000fffffffffffff000000000fffffff;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -467,7 +469,7 @@ module splat_axi_test;
         end
     end
 
-    // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
+    // Packets from the core: those of an answer in their order, answers in any order. Some of its bits name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
     integer answer_next [0:ANSWERS-1];
     integer answer_packets [0:ANSWERS-1];
@@ -487,9 +489,9 @@ module splat_axi_test;
     function is_of_answer(input integer next);
         if (((packet[31:0] | words[next]) & END_MASK) != 0) is_of_answer = (packet[31:0] & words[next] & END_MASK) != 0;
         else begin
-            is_of_answer = ((packet[31:0] ^ words[next]) & NAME_MASK) == 0;
-            for (int k = 1; k < PACKET_WORDS && k < 2; k = k + 1)
-                if (((packet[32*k +: 32] ^ words[next + k]) & SECOND_NAME_MASK) != 0) is_of_answer = 1'b0;
+            is_of_answer = 1'b1;
+            for (int k = 0; k < PACKET_WORDS; k = k + 1)
+                if (((packet[32*k +: 32] ^ words[next + k]) & NAME_MASK[32*k +: 32]) != 0) is_of_answer = 1'b0;
         end
     endfunction
 
@@ -580,6 +582,7 @@ module splat_axi_test;
         if (m_axi_gives && (read_place >= TILES * TILE_BYTES || read_page < 0 || !is_written[64 * read_page + read_pixel]))
             $fatal(1, "FAILED: %h is read, which has not been written", m_axi_address);
         if (stores) begin
+            if ((record & ~PIXEL_HELD) != 0) $fatal(1, "FAILED: %h is written, and not zero where a pixel holds nothing", record);
             if (store_place >= TILES * TILE_BYTES) $fatal(1, "FAILED: %h is written, outside the buffer", store_address);
             page = -1;
             for (i_page = 0; i_page < pages; i_page = i_page + 1)

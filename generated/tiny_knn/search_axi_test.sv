@@ -152,7 +152,8 @@ module search_axi_test;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 5, EVENT_BITS = 1;
-    localparam [31:0] NAME_MASK = 32'hffff, SECOND_NAME_MASK = 32'h0, END_MASK = 32'h0;
+    localparam [127:0] NAME_MASK = 128'h0000000000000000000000000000ffff;
+    localparam [31:0] END_MASK = 32'h0;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -399,7 +400,7 @@ module search_axi_test;
         end
     end
 
-    // Packets from the core: those of an answer in their order, answers in any order. The first words name the answer, but of a packet
+    // Packets from the core: those of an answer in their order, answers in any order. Some of its bits name the answer, but of a packet
     // that closes a frame, which is the last of it: answers behind it are another frame's.
     integer answer_next [0:ANSWERS-1];
     integer answer_packets [0:ANSWERS-1];
@@ -419,9 +420,9 @@ module search_axi_test;
     function is_of_answer(input integer next);
         if (((packet[31:0] | words[next]) & END_MASK) != 0) is_of_answer = (packet[31:0] & words[next] & END_MASK) != 0;
         else begin
-            is_of_answer = ((packet[31:0] ^ words[next]) & NAME_MASK) == 0;
-            for (int k = 1; k < PACKET_WORDS && k < 2; k = k + 1)
-                if (((packet[32*k +: 32] ^ words[next + k]) & SECOND_NAME_MASK) != 0) is_of_answer = 1'b0;
+            is_of_answer = 1'b1;
+            for (int k = 0; k < PACKET_WORDS; k = k + 1)
+                if (((packet[32*k +: 32] ^ words[next + k]) & NAME_MASK[32*k +: 32]) != 0) is_of_answer = 1'b0;
         end
     endfunction
 

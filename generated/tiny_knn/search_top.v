@@ -60,12 +60,12 @@ module search_top (
     wire traversal_push_valid;
     wire [1:0] traversal_push_thread;
     wire [6:0] traversal_push_node;
-    wire [23:0] traversal_push_distance2;
+    wire [22:0] traversal_push_distance2;
     wire traversal_reached_valid;
     wire [1:0] traversal_reached_thread;
     wire stack_top_empty;
     wire [6:0] stack_top_node;
-    wire [23:0] stack_top_distance2;
+    wire [22:0] stack_top_distance2;
     wire recursion_in_ready, recursion_resume_valid;
     wire [1:0] recursion_resume_thread;
     wire [6:0] recursion_resume_node;
@@ -77,17 +77,17 @@ module search_top (
     wire [1:0] leaf_candidates_thread;
     wire [15:0] leaf_candidates_address;
     wire leaf_candidates_last;
-    wire [23:0] leaf_candidates_distance0;
+    wire [22:0] leaf_candidates_distance0;
     wire sieve_candidates_ready, sieve_kept_valid;
     wire [1:0] sieve_kept_thread;
     wire [15:0] sieve_kept_address;
     wire sieve_kept_last;
-    wire [23:0] sieve_kept_distance0;
+    wire [22:0] sieve_kept_distance0;
     wire sieve_skipped_valid;
     wire [1:0] sieve_skipped_thread;
     wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [1:0] queue_radius_thread;
-    wire [23:0] queue_radius_radius2;
+    wire [22:0] queue_radius_radius2;
     wire queue_released_valid;
     wire [1:0] queue_released_thread;
 
@@ -235,12 +235,12 @@ module search_queue (
     input  wire [1:0] candidates_thread,  // Thread.
     input  wire [15:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
-    input  wire [23:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [22:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
     input  wire finish_valid, output wire finish_ready,  // Threads whose search is over.
     input  wire [1:0] finish_thread,  // Thread.
     output reg  radius_valid,  // A thread's radius after a leaf.
     output reg  [1:0] radius_thread,  // Thread.
-    output reg  [23:0] radius_radius2,  // Squared radius.
+    output reg  [22:0] radius_radius2,  // Squared radius.
     output reg  event_insert,  // A neighbor was inserted.
     output reg  released_valid,  // A thread whose results are safe.
     output reg  [1:0] released_thread,  // Thread.
@@ -253,11 +253,11 @@ module search_queue (
     output reg  event_beat  // A priority queue was done with a beat of points.
 );
     (* ram_style = "distributed" *)
-    reg [66:0] arrivals [0:1];
+    reg [64:0] arrivals [0:1];
     (* ram_style = "distributed" *)
-    reg [23:0] query_radii [0:3];
+    reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] leaf_radii [0:3];
+    reg [22:0] leaf_radii [0:3];
     reg [1:0] arrivals_count;
     reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [1:0] owner;
@@ -267,12 +267,12 @@ module search_queue (
     reg [1:0] beat_thread;  // Thread.
     reg [15:0] beat_address;  // Address in the point memory.
     reg beat_last;  // Closes its leaf.
-    reg [23:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [22:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [1:0] item_thread;
     reg item_fresh;
     reg [15:0] new_index;  // The point's place in the point memory.
-    reg [22:0] new_distance2;  // Its squared distance, but for the sign, which no square has.
+    reg [22:0] new_distance2;  // Its squared distance.
     reg [7:0] nearer;
     reg new_last;
     reg [1:0] new_thread;
@@ -284,7 +284,7 @@ module search_queue (
     wire [319:0] stored;
     wire [49:0] query;
     reg [15:0] item_index;  // The point's place in the point memory.
-    reg [22:0] item_distance2;  // Its squared distance, but for the sign, which no square has.
+    reg [22:0] item_distance2;  // Its squared distance.
     reg [3:0] from_leaf;
     reg [319:0] sent_row;
     reg [15:0] sent_number;
@@ -306,7 +306,7 @@ module search_queue (
     wire [22:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
     wire write_back = item_reads & owned;
     wire [15:0] inserted_row_choice = nearer[7] ? (nearer[6] ? working[278:263] : new_index) : working[318:303];
-    wire [22:0] farthest_choice = nearer[7] ? (nearer[6] ? working[262:240] : new_distance2) : working[302:280];
+    wire [22:0] radius_radius2_choice = nearer[7] ? (nearer[6] ? working[262:240] : new_distance2) : working[302:280];
     wire [15:0] inserted_row_choice_2 = nearer[6] ? (nearer[5] ? working[238:223] : new_index) : working[278:263];
     wire [22:0] inserted_row_choice_3 = nearer[6] ? (nearer[5] ? working[222:200] : new_distance2) : working[262:240];
     wire [15:0] inserted_row_choice_4 = nearer[5] ? (nearer[4] ? working[198:183] : new_index) : working[238:223];
@@ -320,17 +320,18 @@ module search_queue (
     wire [15:0] inserted_row_choice_12 = nearer[1] ? (nearer[0] ? working[38:23] : new_index) : working[78:63];
     wire [22:0] inserted_row_choice_13 = nearer[1] ? (nearer[0] ? working[22:0] : new_distance2) : working[62:40];
     wire [319:0] inserted_row = {
-        nearer[7] ? (nearer[6] ? working[279] : 1'd1) : working[319], inserted_row_choice, farthest_choice,
-        nearer[6] ? (nearer[5] ? working[239] : 1'd1) : working[279], inserted_row_choice_2,
-        inserted_row_choice_3, nearer[5] ? (nearer[4] ? working[199] : 1'd1) : working[239],
-        inserted_row_choice_4, inserted_row_choice_5,
-        nearer[4] ? (nearer[3] ? working[159] : 1'd1) : working[199], inserted_row_choice_6,
-        inserted_row_choice_7, nearer[3] ? (nearer[2] ? working[119] : 1'd1) : working[159],
-        inserted_row_choice_8, inserted_row_choice_9,
-        nearer[2] ? (nearer[1] ? working[79] : 1'd1) : working[119], inserted_row_choice_10,
-        inserted_row_choice_11, nearer[1] ? (nearer[0] ? working[39] : 1'd1) : working[79],
-        inserted_row_choice_12, inserted_row_choice_13, nearer[0] ? 1'd1 : working[39],
-        nearer[0] ? new_index : working[38:23], nearer[0] ? new_distance2 : working[22:0]
+        nearer[7] ? (nearer[6] ? working[279] : 1'd1) : working[319], inserted_row_choice,
+        radius_radius2_choice, nearer[6] ? (nearer[5] ? working[239] : 1'd1) : working[279],
+        inserted_row_choice_2, inserted_row_choice_3,
+        nearer[5] ? (nearer[4] ? working[199] : 1'd1) : working[239], inserted_row_choice_4,
+        inserted_row_choice_5, nearer[4] ? (nearer[3] ? working[159] : 1'd1) : working[199],
+        inserted_row_choice_6, inserted_row_choice_7,
+        nearer[3] ? (nearer[2] ? working[119] : 1'd1) : working[159], inserted_row_choice_8,
+        inserted_row_choice_9, nearer[2] ? (nearer[1] ? working[79] : 1'd1) : working[119],
+        inserted_row_choice_10, inserted_row_choice_11,
+        nearer[1] ? (nearer[0] ? working[39] : 1'd1) : working[79], inserted_row_choice_12,
+        inserted_row_choice_13, nearer[0] ? 1'd1 : working[39], nearer[0] ? new_index : working[38:23],
+        nearer[0] ? new_distance2 : working[22:0]
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
@@ -341,9 +342,9 @@ module search_queue (
     wire moves = beat_valid & ~waits;
     wire beat_free = ~beat_valid | moves;
     wire [1:0] tail = item_valid ? item_thread : owner;
-    wire [66:0] arrivals_head = arrivals[arrivals_read_address];
-    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[66:65]);
-    wire follows_beat = beat_thread == arrivals_head[66:65];
+    wire [64:0] arrivals_head = arrivals[arrivals_read_address];
+    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[64:63]);
+    wire follows_beat = beat_thread == arrivals_head[64:63];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [319:0] initial_row = {
@@ -361,19 +362,17 @@ module search_queue (
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[66:65];
+    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[64:63];
     wire is_fresh = is_fresh_shifted[0];
     wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[66:65]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[64:63]) & ~farthest_will_be_known_choice;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_either = ~farthest_will_be_known | (arrivals_head[47:24] < {1'd0, farthest});
-    wire beat_pending_both = (arrivals_head[47:24] < arrivals_head[23:0]) & beat_pending_either;
+    wire beat_pending_both = (arrivals_head[45:23] < arrivals_head[22:0]) & (~farthest_will_be_known | (arrivals_head[45:23] < farthest));
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire left_both = rest & (~farthest_is_known | (beat_distance0 < {1'd0, farthest}));
-    wire left = waits ? beat_pending : left_both;
+    wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [7:0] nearer_entries_bits = {
         item_distance2 < stored[302:280], item_distance2 < stored[262:240], item_distance2 < stored[222:200],
@@ -413,8 +412,8 @@ module search_queue (
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] arrivals_data_shifted = from_leaf >> candidates_thread;
-    wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
-    wire [23:0] query_radius2 = query_radii[candidates_thread];
+    wire [22:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [22:0] query_radius2 = query_radii[candidates_thread];
 
     assign candidates_ready = arrivals_has_room;
     assign result_valid = sending;
@@ -504,20 +503,20 @@ module search_queue (
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= {1'd0, farthest_choice};
-        farthest <= farthest_choice;
+        radius_radius2 <= radius_radius2_choice;
+        farthest <= radius_radius2_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= beat_address;
-        item_distance2 <= beat_distance0[22:0];
+        item_distance2 <= beat_distance0;
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[66:65];
-            beat_address <= arrivals_head[64:49];
-            beat_last <= arrivals_head[48];
-            beat_distance0 <= arrivals_head[47:24];
+            beat_thread <= arrivals_head[64:63];
+            beat_address <= arrivals_head[62:47];
+            beat_last <= arrivals_head[46];
+            beat_distance0 <= arrivals_head[45:23];
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
@@ -536,12 +535,12 @@ module search_queue (
             };
         end
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[22:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
         1'b0, arrivals_data_shifted[3:1], fetch_from_nothing_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
-        is_fresh_shifted[3:1], start_x, start_y, start_z
+        is_fresh_shifted[3:1], start_radius2[23], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
@@ -550,16 +549,12 @@ module search_queue (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
-        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 24'h800000));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance0 < 24'h800000))) begin
-            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
@@ -593,45 +588,45 @@ module search_sieve (
     input  wire [23:0] start_z,  // Where.
     input  wire radius_valid,  // A thread's new radius.
     input  wire [1:0] radius_thread,  // Thread.
-    input  wire [23:0] radius_radius2,  // Squared radius.
+    input  wire [22:0] radius_radius2,  // Squared radius.
     input  wire candidates_valid, output wire candidates_ready,  // Squared distances; the beats of a leaf come together.
     input  wire [1:0] candidates_thread,  // Thread.
     input  wire [15:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
-    input  wire [23:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [22:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
     output wire kept_valid, input wire kept_ready,  // Beats with a point that is near enough.
     output wire [1:0] kept_thread,  // Thread.
     output wire [15:0] kept_address,  // Address in the point memory.
     output wire kept_last,  // Closes its leaf.
-    output wire [23:0] kept_distance0,  // A squared distance a lane; NaN where there is no point.
+    output wire [22:0] kept_distance0,  // A squared distance a lane; NaN where there is no point.
     output reg  skipped_valid,  // The thread of a leaf of which no beat was kept.
     output reg  [1:0] skipped_thread  // Thread.
 );
     (* ram_style = "distributed" *)
-    reg [23:0] query_radii [0:3];
+    reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] leaf_radii [0:3];
+    reg [22:0] leaf_radii [0:3];
     reg s1_valid;
     reg [1:0] s1_thread;  // Thread.
     reg [15:0] s1_address;  // Address in the point memory.
     reg s1_last;  // Closes its leaf.
-    reg [23:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [22:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
     reg [3:0] from_leaf;
-    reg [23:0] radius2;
+    reg [22:0] radius2;
     reg s2_valid, s2_survives;
     reg [1:0] s2_thread;  // Thread.
     reg [15:0] s2_address;  // Address in the point memory.
     reg s2_last;  // Closes its leaf.
-    reg [23:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [22:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
     reg held_valid, held_last;
     reg [1:0] held_thread;  // Thread.
     reg [15:0] held_address;
-    reg [23:0] held_distance0;
+    reg [22:0] held_distance0;
 
     wire candidates_queue_out_valid;
-    wire [42:0] candidates_queue_out_data;
+    wire [41:0] candidates_queue_out_data;
     wire kept_queue_in_ready;
-    wire [42:0] kept_queue_out_data;
+    wire [41:0] kept_queue_out_data;
 
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
@@ -640,10 +635,10 @@ module search_sieve (
     wire decides = ~s2_valid | proceeds;
     wire advance = ~s1_valid | decides;
     wire leaves = displaced & kept_queue_in_ready;
-    wire [1:0] candidates_queue_out_thread = candidates_queue_out_data[42:41];
-    wire [15:0] candidates_queue_out_address = candidates_queue_out_data[40:25];
-    wire candidates_queue_out_last = candidates_queue_out_data[24];
-    wire [23:0] candidates_queue_out_distance0 = candidates_queue_out_data[23:0];
+    wire [1:0] candidates_queue_out_thread = candidates_queue_out_data[41:40];
+    wire [15:0] candidates_queue_out_address = candidates_queue_out_data[39:24];
+    wire candidates_queue_out_last = candidates_queue_out_data[23];
+    wire [22:0] candidates_queue_out_distance0 = candidates_queue_out_data[22:0];
     wire [3:0] query_set = {
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
@@ -653,21 +648,21 @@ module search_sieve (
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
-    wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
-    wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [22:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [22:0] query_radius2 = query_radii[candidates_queue_out_thread];
     wire keep = near & proceeds;
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
     assign {kept_thread, kept_address, kept_last, kept_distance0} = kept_queue_out_data;
 
-    stream_skid_w43 candidates_queue (
+    stream_skid_w42 candidates_queue (
         .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_ready),
         .in_data({candidates_thread, candidates_address, candidates_last, candidates_distance0}),
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
-    stream_fifo_d4_w43 kept_queue (
+    stream_fifo_d4_w42 kept_queue (
         .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({held_thread, held_address, held_last, held_distance0}),
         .out_valid(kept_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
@@ -710,26 +705,18 @@ module search_sieve (
             held_distance0 <= s2_distance0;
         end
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[22:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, radius2_shifted[3:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, radius2_shifted[3:1], start_k, start_number, start_radius2[23], start_x, start_y, start_z};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
-        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 24'h800000));
-        candidates_distance0_in_range: assert (~candidates_valid | (candidates_distance0 < 24'h800000));
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~radius_valid | (radius_radius2 < 24'h800000))) begin
-            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
-        end
-        if (!(~candidates_valid | (candidates_distance0 < 24'h800000))) begin
-            $display("assertion failed: candidates_distance0_in_range in %m"); $stop;
         end
 `endif
     end
@@ -738,15 +725,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 4
-// width = 43
-module stream_fifo_d4_w43 (
+// width = 42
+module stream_fifo_d4_w42 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [41:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [41:0] out_data
 );
     reg [2:0] held, waiting;
     reg [1:0] write_address, read_address;
-    wire [42:0] item;
+    wire [41:0] item;
 
     wire has_room = ~held[2];
     wire push = in_valid & has_room;
@@ -756,7 +743,7 @@ module stream_fifo_d4_w43 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(43), .DEPTH(4)) entries (
+    memory_1w1r_unordered #(.WIDTH(42), .DEPTH(4)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -793,14 +780,14 @@ module stream_fifo_d4_w43 (
 endmodule
 
 // Queue of two in registers.
-// width = 43
-module stream_skid_w43 (
+// width = 42
+module stream_skid_w42 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [41:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [41:0] out_data
 );
     reg second_valid;
-    reg [42:0] head, second;
+    reg [41:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -874,7 +861,7 @@ module search_leaf (
     output wire [1:0] candidates_thread,  // Thread.
     output wire [15:0] candidates_address,  // Address in the point memory.
     output wire candidates_last,  // Closes its leaf.
-    output wire [23:0] candidates_distance0  // A squared distance a lane; NaN where there is no point.
+    output wire [22:0] candidates_distance0  // A squared distance a lane; NaN where there is no point.
 );
     reg f0_valid, f1_valid;
     reg [1:0] f0_thread, f1_thread;
@@ -1008,7 +995,7 @@ module search_distance (
     input  wire [23:0] in_y0, input wire [23:0] in_z0, input wire [23:0] in_query_x,
     input  wire [23:0] in_query_y, input wire [23:0] in_query_z,
     output wire out_valid, input wire out_ready, output wire [1:0] out_thread,
-    output wire [15:0] out_address, output wire out_last, output wire [23:0] out_distance0
+    output wire [15:0] out_address, output wire out_last, output wire [22:0] out_distance0
 );
     (* ram_style = "distributed" *)
     reg [23:0] delay_6_from_0 [0:4];
@@ -1025,7 +1012,7 @@ module search_distance (
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
     wire queue_1_in_ready;
-    wire [42:0] queue_1_out_data;
+    wire [41:0] queue_1_out_data;
 
     assign in_ready = ~credits[5];
     wire kept = in_flight[21];
@@ -1074,9 +1061,9 @@ module search_distance (
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    stream_fifo_d26_w43_distributed queue_1 (
+    stream_fifo_d26_w42_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y}),
+        .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y[22:0]}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
@@ -1104,7 +1091,7 @@ module search_distance (
         delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, queue_1_in_ready};
+    wire _unused = &{1'b0, add_f24_ftz_unit_copy5_y[23], queue_1_in_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -1121,17 +1108,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 26
-// width = 43
+// width = 42
 // storage = distributed
-module stream_fifo_d26_w43_distributed (
+module stream_fifo_d26_w42_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [41:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [41:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [42:0] entries [0:25];
+    reg [41:0] entries [0:25];
     reg [4:0] held, waiting, write_address, read_address;
-    reg [42:0] item;
+    reg [41:0] item;
 
     wire has_room = ~(held == 5'd26);
     wire push = in_valid & has_room;
@@ -1276,12 +1263,12 @@ module search_recursion (
     input  wire [23:0] start_z,  // Where.
     input  wire radius_valid,  // A thread's new radius.
     input  wire [1:0] radius_thread,  // Thread.
-    input  wire [23:0] radius_radius2,  // Squared radius.
+    input  wire [22:0] radius_radius2,  // Squared radius.
     input  wire in_valid, output wire in_ready,  // Threads that want their next path.
     input  wire [1:0] in_thread,  // Thread.
     input  wire top_empty,  // The stack of the last pop was empty.
     input  wire [6:0] top_node,  // The subtree's root.
-    input  wire [23:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
+    input  wire [22:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
     output wire resume_valid, input wire resume_ready,  // Descents from a path that was not taken before.
     output wire [1:0] resume_thread,  // Thread.
     output wire [6:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
@@ -1292,16 +1279,16 @@ module search_recursion (
     output reg  event_pop  // A path was popped.
 );
     (* ram_style = "distributed" *)
-    reg [23:0] query_radii [0:3];
+    reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] leaf_radii [0:3];
+    reg [22:0] leaf_radii [0:3];
     reg r0_valid, r1_valid, r2_valid;
     reg [1:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [6:0] path_node;  // The subtree's root.
-    reg [23:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
+    reg [22:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
     reg [3:0] from_leaf;
-    reg [23:0] radius2;
+    reg [22:0] radius2;
 
     wire in_queue_out_valid;
     wire [1:0] in_queue_out_data;
@@ -1323,8 +1310,8 @@ module search_recursion (
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] from_leaf_shifted_by_r1_thread = from_leaf >> r1_thread;
-    wire [23:0] leaf_radius2 = leaf_radii[r1_thread];
-    wire [23:0] query_radius2 = query_radii[r1_thread];
+    wire [22:0] leaf_radius2 = leaf_radii[r1_thread];
+    wire [22:0] query_radius2 = query_radii[r1_thread];
 
     assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
@@ -1371,10 +1358,13 @@ module search_recursion (
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         empty_thread <= r2_thread;
     end
-    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2[22:0];
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[3:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{
+        1'b0, from_leaf_shifted_by_r1_thread[3:1], start_k, start_number, start_radius2[23], start_x, start_y,
+        start_z
+    };
 
 `ifdef RTL_ASSERT
     reg [3:0] begun;
@@ -1389,14 +1379,10 @@ module search_recursion (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
-        radius_radius2_in_range: assert (~radius_valid | (radius_radius2 < 24'h800000));
         a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
-        end
-        if (!(~radius_valid | (radius_radius2 < 24'h800000))) begin
-            $display("assertion failed: radius_radius2_in_range in %m"); $stop;
         end
         if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
             $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
@@ -1459,15 +1445,15 @@ module search_stack (
     input  wire push_valid,  // A path to remember.
     input  wire [1:0] push_thread,  // Thread.
     input  wire [6:0] push_node,  // The subtree's root.
-    input  wire [23:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    input  wire [22:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
     input  wire pop_valid,  // A thread that wants its last path back.
     input  wire [1:0] pop_thread,  // Thread.
     output reg  top_empty,  // The stack of the last pop was empty.
     output wire [6:0] top_node,  // The subtree's root.
-    output wire [23:0] top_distance2  // Squared distance of the query to the splitting plane before it.
+    output wire [22:0] top_distance2  // Squared distance of the query to the splitting plane before it.
 );
     reg [2:0] depth_0, depth_1, depth_2, depth_3;
-    wire [30:0] top;
+    wire [29:0] top;
 
     wire [2:0] push_depth = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
     wire [2:0] pop_depth = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
@@ -1483,7 +1469,7 @@ module search_stack (
 
     assign {top_node, top_distance2} = top;
 
-    memory_1w1r_unordered #(.WIDTH(31), .DEPTH(32)) paths (
+    memory_1w1r_unordered #(.WIDTH(30), .DEPTH(32)) paths (
         .clk(clk), .write(push_valid), .write_address({push_thread, push_depth}),
         .write_data({push_node, push_distance2}),
         .read(takes), .read_address({pop_thread, pop_depth - 3'd1}), .read_data(top)
@@ -1508,13 +1494,9 @@ module search_stack (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        push_distance2_in_range: assert (~push_valid | (push_distance2 < 24'h800000));
         stack_has_room: assert (~push_valid | (push_depth < 3'd6));
         one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
-        if (!(~push_valid | (push_distance2 < 24'h800000))) begin
-            $display("assertion failed: push_distance2_in_range in %m"); $stop;
-        end
         if (!(~push_valid | (push_depth < 3'd6))) begin
             $display("assertion failed: stack_has_room in %m"); $stop;
         end
@@ -1560,7 +1542,7 @@ module search_traversal (
     output wire push_valid,  // A path to remember.
     output wire [1:0] push_thread,  // Thread.
     output wire [6:0] push_node,  // The subtree's root.
-    output wire [23:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    output wire [22:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
     output wire reached_valid,  // A thread's descent ended in a leaf.
     output wire [1:0] reached_thread  // Thread.
 );
@@ -1748,7 +1730,7 @@ module search_path (
     input  wire in_valid, output wire in_ready, input wire in_is_leaf, input wire [1:0] in_thread,
     input  wire [6:0] in_node, input wire [23:0] in_coordinate, input wire [23:0] in_split,
     output wire out_valid, input wire out_ready, output wire out_is_leaf, output wire [1:0] out_thread,
-    output wire [6:0] out_node, output wire [23:0] out_distance2
+    output wire [6:0] out_node, output wire [22:0] out_distance2
 );
     (* ram_style = "distributed" *)
     reg [9:0] delay_10_from_0 [0:8];
@@ -1757,7 +1739,7 @@ module search_path (
     reg shown, shown_is_leaf;
     reg [1:0] shown_thread;
     reg [6:0] shown_node;
-    reg [23:0] shown_distance2;
+    reg [22:0] shown_distance2;
 
     wire [23:0] add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
 
@@ -1797,14 +1779,14 @@ module search_path (
         shown_is_leaf <= is_leaf_d10;
         shown_thread <= thread_d10;
         shown_node <= node_d10;
-        shown_distance2 <= mul_f24_ftz_unit_y;
+        shown_distance2 <= mul_f24_ftz_unit_y[22:0];
     end
     always @(posedge clk) begin
         delay_10_from_0[delay_10_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, out_ready};
+    wire _unused = &{1'b0, mul_f24_ftz_unit_y[23], out_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
