@@ -67,7 +67,7 @@ impl Prover<'_> {
         let [gold, gate] = VERSIONS;
         let as_wires = |name: &str, mutation: &str| {
             format!(
-                "{}opt_dff -nodffe -nosdff\ntechmap -map wires.v\nselect -assert-none {REGISTERS}\ncheck -assert\n\
+                "{}dffunmap\ntechmap -map wires.v\nselect -assert-none {REGISTERS}\ncheck -assert\n\
                  rename {ENABLED} {name}\nwrite_verilog -noattr {name}.v\ndesign -reset\n",
                 flat(mutation, "runs.v")
             )

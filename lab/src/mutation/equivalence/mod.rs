@@ -60,7 +60,7 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Compares a design with its mutant: first the module that is mutated, whatever the modules in it do, which is small; then
+/// Compares a design with its mutant: an operator of one operand on all of them, else first the module that is mutated, whatever the modules in it do, which is small; then
 /// with what is in it but large memories and operators, unless that is large; then what surrounds it, likewise, which may hide
 /// the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
@@ -179,15 +179,14 @@ impl Prover<'_> {
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let is_large = |within: &[&str]| modules.bytes(within) > LARGEST_BYTES;
-        let mut proof = Proof::Open;
-        if is_mutated || !is_large(&modules.within(name, |inner| open.contains(inner))) {
+        let is_small = !is_large(&modules.within(name, |inner| open.contains(inner)));
+        let exhausted = if is_mutated { self.exhaust(name)? } else { None };
+        let mut proof = exhausted.unwrap_or(Proof::Open);
+        if proof == Proof::Open && (is_mutated || is_small) {
             proof = self.compare(module, &open)?;
             if proof != Proof::Equivalent && self.is_hidden_near(module, &open)? {
                 return Ok(Proof::Equivalent);
             }
-        }
-        if proof == Proof::Open && is_mutated {
-            proof = self.exhaust(name)?.unwrap_or(proof);
         }
         if proof != Proof::Equivalent && open != whole && !is_large(&within) {
             proof = self.compare(module, &whole)?;

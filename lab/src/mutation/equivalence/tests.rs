@@ -306,3 +306,22 @@ fn what_no_stream_offers_does_not_count_and_what_waits_is_held() {
         assert_eq!((strictly, stuck(&tolerant, wire)), (Proof::Different, Some(expected)), "{wire}");
     }
 }
+
+#[test]
+fn an_operator_of_one_operand_is_compared_on_all_of_them() {
+    let operator = "module float_root_s2_f8(input clk, input enable, input [7:0] a, output reg [7:0] y);\n\
+        reg [7:0] kept;\nwire [15:0] square = kept * kept;\nwire never = square[1:0] == 2'd2;\nwire odd = kept[0] ^ kept[3];\n\
+        wire holds = !enable;\nalways @(posedge clk) if (!holds) begin\n\
+        kept <= a;\ny <= never ? 8'd0 : odd ? square[15:8] : square[7:0];\nend\nendmodule\n";
+    let ports = [("clk", 1, In), ("enable", 1, In), ("a", 8, In), ("y", 8, Out)];
+    let top = "float_root_s2_f8";
+    let subject = Subject { interfaces: vec![interface(top, &ports, Vec::new())], ..subject(operator, "", None, top) };
+    let Some(yosys) = &yosys() else { return };
+    let exhausted = |wire: &str| {
+        let (modules, mutation) = (Modules::of(&subject.verilog), &stuck_at_zero(wire));
+        let prover = Prover { yosys, subject: &subject, mutation, mutated: top, cell: None, seconds: 10, modules };
+        prover.exhaust(top).unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!([exhausted("never"), exhausted("odd")], [Some(Proof::Equivalent), Some(Proof::Different)]);
+    assert_eq!(exhausted("holds"), None, "it does not hold what it has, and may answer anything");
+}
