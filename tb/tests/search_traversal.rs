@@ -60,7 +60,12 @@ impl Rule for Threads {
             }
             "node" => self.memory.request(feeds, fields, |feeds, request| answer(&self.tree, feeds, request)),
             "record" => self.memory.answered(feeds, |feeds, request| answer(&self.tree, feeds, request)),
-            "start" => feeds.feed("descend", vec![fields[0], 1]),
+            "start" => {
+                // Any node is a tree's root.
+                let nodes: Vec<u64> = self.tree.nodes().collect();
+                let root = nodes[feeds.random.usize(0..nodes.len())];
+                feeds.feed("descend", vec![fields[0], root]);
+            }
             "push" => self.paths[fields[0] as usize].push(fields[1]),
             "reached" => match self.paths[fields[0] as usize].pop() {
                 Some(node) => feeds.feed("resume", vec![fields[0], node]),

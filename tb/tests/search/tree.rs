@@ -97,6 +97,11 @@ impl Tree {
         &write.unwrap_or_else(|| panic!("nobody asks for {address}, which the tree does not have"))[2..]
     }
 
+    /// The addresses of its inner nodes.
+    pub fn nodes(&self) -> impl Iterator<Item = u64> + '_ {
+        self.writes.iter().filter(|write| write[0] == 0).map(|write| write[1])
+    }
+
     /// The leaves' numbers.
     pub fn leaves(&self) -> Vec<u64> {
         self.writes.iter().filter(|write| write[0] == 1).map(|write| write[1]).collect()
