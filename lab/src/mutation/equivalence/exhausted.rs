@@ -58,26 +58,31 @@ impl Prover<'_> {
                 result.name
             )
         };
-        let flat = |mutation: &str, around: &str| {
-            format!(
-                "read_verilog source.v\nhierarchy -top {module}\n{NETLIST}{mutation}\nread_verilog {around}\n\
-                 hierarchy -top {ENABLED}\nproc\nflatten\nmemory\nopt -full\n"
-            )
+        let flat = |around: &str| {
+            format!("read_verilog {around}\nhierarchy -top {ENABLED}\nproc\nflatten\nmemory\nopt -full\n")
         };
         let [gold, gate] = VERSIONS;
-        let as_wires = |name: &str, mutation: &str| {
+        let as_wires = |name: &str| {
             format!(
                 "{}dffunmap\ntechmap -map wires.v\nselect -assert-none {REGISTERS}\ncheck -assert\n\
-                 rename {ENABLED} {name}\nwrite_verilog -noattr {name}.v\ndesign -reset\n",
-                flat(mutation, "runs.v")
+                 rename {ENABLED} {name}\nwrite_verilog -noattr {name}.v\n",
+                flat("runs.v")
             )
         };
-        let holds = format!("{}select -assert-none {REGISTERS}\ndesign -reset\n", flat(self.mutation, "holds.v"));
+        let read = format!("read_verilog source.v\nhierarchy -top {}\n{NETLIST}", self.subject.top);
+        // The mutant comes first: its cells have the names of a first reading.
+        let pipelines = format!(
+            "{read}{}\ndesign -save mutant\n{}select -assert-none {REGISTERS}\ndesign -load mutant\n{}design -reset\n{read}{}",
+            self.mutation,
+            flat("holds.v"),
+            as_wires(gate),
+            as_wires(gold)
+        );
         write("source.v", &self.subject.verilog)?;
         write("runs.v", &around(1))?;
         write("holds.v", &around(0))?;
         write("wires.v", WIRES)?;
-        write("pipelines.ys", &[holds, as_wires(gold, ""), as_wires(gate, self.mutation)].concat())?;
+        write("pipelines.ys", &pipelines)?;
         if self.yosys.run(module, folder, &["-q", "pipelines.ys"]).is_err() {
             return Ok(None);
         }

@@ -37,7 +37,7 @@ const ALWAYS: u8 = 255;
 /// The tile of a fragment, or none for the end; each bin of the exposure has its own.
 fn tile(fragment: &Fragment) -> Option<(u16, u16, u8)> {
     let &Fragment { end, row, column, seen, .. } = fragment;
-    (!end).then(|| (row >> LOCAL_BITS, column >> LOCAL_BITS, seen.bin))
+    (!end).then_some((row >> LOCAL_BITS, column >> LOCAL_BITS, seen.bin))
 }
 
 /// A host with its core.
