@@ -88,6 +88,10 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
         (None, _) => bit(true),
     };
     let ends = m.wire("ends", ends);
+    if let (Some(number), UnderWay::Lengths(lengths)) = (&number, &under_way) {
+        let is_within = !lengths.record.length.lt(*number);
+        m.assert("no_burst_is_longer_than_asked_for", !lengths.valid | is_within);
+    }
     if let Some(number) = &number {
         m.next_if(*number, moves, ends.mux(lit(number_bits, 0), number.add_lit(1)));
     }
