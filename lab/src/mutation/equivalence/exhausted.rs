@@ -4,14 +4,13 @@
 //! its operand alone. With its registers taken for wires it is a function, which a simulator computes millions of times a second.
 //! That the mutant is such a pipeline, too, is shown first: it holds while it is not enabled, and without registers it has no loop.
 
-use super::{Proof, Prover};
+use super::versions::Folder;
+use super::{Proof, Prover, REGISTER};
 use crate::mutation::MutationError;
 use crate::mutation::process::{self, Verdict};
 use crate::mutation::schemata::NETLIST;
 use crate::mutation::side_by_side::VERSIONS;
-use pointcore_tb::cache::file;
 use pointcore_tb::verilated::{Direction, ModuleInterface, Port};
-use std::fs;
 use std::process::Command;
 use std::time::Duration;
 
@@ -36,17 +35,18 @@ fn ports(interface: &ModuleInterface) -> Option<[&Port; 2]> {
     (interface.ports.len() == 4 && has_enable && operand.width <= OPERAND_BITS).then_some([operand, result])
 }
 
+/// What a register always takes is what it always holds, once it took it: it then holds that out of its turn, too.
+fn of_output(mutation: &str) -> String {
+    let is_stuck = mutation.contains(REGISTER) && mutation.contains("-mode const");
+    if is_stuck { mutation.replace(" -port D ", " -port Q ") } else { mutation.to_owned() }
+}
+
 impl Prover<'_> {
     /// Compares an operator with its mutant, if it has one operand: `None` of another module, or of a mutant that is no pipeline.
     pub(super) fn exhaust(&self, module: &str) -> Result<Option<Proof>, MutationError> {
         let known = self.subject.interfaces.iter().find(|interface| interface.name == module);
         let Some([operand, result]) = known.and_then(ports) else { return Ok(None) };
-        let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
-        let folder = scratch.path();
-        let write = |name: &str, text: &str| {
-            let path = folder.join(name);
-            fs::write(&path, text).map_err(file("write", &path))
-        };
+        let folder = Folder::new()?;
         let range = |port: &Port| format!("[{}:0] {}", port.width - 1, port.name);
         let around = |enable: u32| {
             format!(
@@ -73,17 +73,17 @@ impl Prover<'_> {
         // The mutant comes first: its cells have the names of a first reading.
         let pipelines = format!(
             "{read}{}\ndesign -save mutant\n{}select -assert-none {REGISTERS}\ndesign -load mutant\n{}design -reset\n{read}{}",
-            self.mutation,
+            of_output(self.mutation),
             flat("holds.v"),
             as_wires(gate),
             as_wires(gold)
         );
-        write("source.v", &self.subject.verilog)?;
-        write("runs.v", &around(1))?;
-        write("holds.v", &around(0))?;
-        write("wires.v", WIRES)?;
-        write("pipelines.ys", &pipelines)?;
-        if self.yosys.run(module, folder, &["-q", "pipelines.ys"]).is_err() {
+        folder.write("source.v", &self.subject.verilog)?;
+        folder.write("runs.v", &around(1))?;
+        folder.write("holds.v", &around(0))?;
+        folder.write("wires.v", WIRES)?;
+        folder.write("pipelines.ys", &pipelines)?;
+        if self.yosys.run(module, folder.path(), &["-q", "pipelines.ys"]).is_err() {
             return Ok(None);
         }
         let connected = |version: &str| {
@@ -93,7 +93,7 @@ impl Prover<'_> {
             )
         };
         let [operand_range, result_range] = [operand.width, result.width].map(|width| width - 1);
-        write(
+        folder.write(
             "both.v",
             &format!(
                 "module both(input [{operand_range}:0] operand, output differ);\nwire [{result_range}:0] gold_result, \
@@ -102,12 +102,12 @@ impl Prover<'_> {
                 connected(gate)
             ),
         )?;
-        write("loop.cpp", &LOOP.replace("OPERAND_BITS", &operand.width.to_string()))?;
+        folder.write("loop.cpp", &LOOP.replace("OPERAND_BITS", &operand.width.to_string()))?;
         let mut build = Command::new("verilator");
         build.args(["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "-Wno-fatal", "-Wno-lint", "-Wno-style"]);
         build.args(["-CFLAGS", "-O3", "--top-module", "both", "both.v", "gold.v", "gate.v", "loop.cpp"]);
-        process::output(build.current_dir(folder))?;
-        let run = Command::new(folder.join("obj_dir/Vboth"));
+        process::output(build.current_dir(folder.path()))?;
+        let run = Command::new(folder.path().join("obj_dir/Vboth"));
         let limit = Duration::from_secs((4 * self.seconds).into());
         Ok(Some(match process::run(run, limit, |line| line.starts_with("differs"))? {
             Verdict::Passed => Proof::Equivalent,

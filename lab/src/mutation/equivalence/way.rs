@@ -1,0 +1,93 @@
+//! Ways to compare a module with its mutant.
+
+use crate::mutation::side_by_side::Border;
+
+/// How a module is compared with its mutant.
+#[derive(Clone, Copy)]
+pub(super) enum Way<'a> {
+    /// At its border, if that is known.
+    At(Option<&'a Border>),
+    /// There, too, with one reset of the module and what is in it, which comes first: where a phase then tells when something is
+    /// looked at, all cycles of its turn become one. A reset may come at any other time; nothing depends on what registers hold
+    /// then, as tests say that begin with random values. Of a fault in this cell that a reset goes through nothing is claimed.
+    InTurns(Option<&'a Border>),
+    /// At the registers near the mutated cell: these and those that have a reset are registers in both, all others inputs,
+    /// equal in both, and what they take next is compared, with one reset and in turns, too. That is small in a module of
+    /// any size. It shows that what holds is as it was when it is looked at.
+    Around(Around<'a>),
+}
+
+impl Way<'_> {
+    /// Whether there is one reset, where the module has any.
+    pub const fn has_one_reset(self) -> bool {
+        !matches!(self, Self::At(_))
+    }
+}
+
+/// Near what, and how.
+#[derive(Clone, Copy)]
+pub(super) struct Around<'a> {
+    /// The mutated cell.
+    pub cell: &'a str,
+    pub operators: Operators,
+    /// What it holds first, where it is a register; else zero.
+    pub first: Option<&'a str>,
+}
+
+/// What operators may be given.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Operators {
+    /// The same in every cycle.
+    Strict,
+    /// Something else, which they then answer to.
+    Tolerant,
+}
+
+/// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
+const NEAR: usize = 3;
+
+/// In yosys' words, the next registers behind what is selected.
+const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
+
+/// Registers that have a reset tell the time: phases, pointers, counts.
+const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n";
+
+/// Has both versions show their registers but for these and those that are marked as near.
+const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";
+
+/// What a way has yosys do with the mutant.
+#[derive(Default)]
+pub(super) struct Marks {
+    /// Before and after what is open is turned round, where near registers are marked: what operators answer is near what they are
+    /// given where that may differ.
+    pub before: String,
+    pub after: String,
+    /// With both versions.
+    pub shown: String,
+}
+
+impl Way<'_> {
+    /// What is marked as near, and shown.
+    pub fn marks(self) -> Marks {
+        let Self::Around(around) = self else { return Marks::default() };
+        let shown = format!("{CONTROL}{SHOWN}");
+        match around.operators {
+            Operators::Strict => Marks { after: around.mark(), shown, ..Marks::default() },
+            Operators::Tolerant => Marks { before: around.mark(), shown, ..Marks::default() },
+        }
+    }
+}
+
+impl Around<'_> {
+    /// Marks what is near. The cell must be there.
+    fn mark(self) -> String {
+        let Self { cell, first, .. } = self;
+        let first =
+            first.map_or(String::new(), |first| format!("setattr -set init {first} gate/c:{cell} %co:+$dff[Q]\n"));
+        format!(
+            "select -assert-any gate/c:{cell}\n{first}\
+             setattr -set near 1 gate/c:{cell}{}\n",
+            NEXT.repeat(NEAR)
+        )
+    }
+}
