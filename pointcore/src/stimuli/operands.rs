@@ -1,7 +1,15 @@
 //! Operands that floating-point operators tend to get wrong.
 
+use crate::number::{decode, encode};
 use pointcore_contract::Format;
 use pointcore_golden::float::mul;
+
+/// Of so many operands the one is taken whose result is nearest to a tie.
+const TIES: usize = 64;
+
+/// What an operand is for a result, and the result for an operand: of a root, a reciprocal and a reciprocal root.
+const UNARY: [[fn(f64) -> f64; 2]; 3] =
+    [[|y| y * y, f64::sqrt], [f64::recip, f64::recip], [|y| (y * y).recip(), |x| x.sqrt().recip()]];
 
 /// Formats up to this width have all their numbers among the first operands.
 const EXHAUSTIVE_WIDTH: u32 = 16;
@@ -10,7 +18,8 @@ const EXHAUSTIVE_WIDTH: u32 = 16;
 ///
 /// First all values of `a` if the format is small, then all pairs of special values, then a random mixture: any bits;
 /// special values; near cancellation of `a + b` and `a·b + c`; exponents that nearly meet; significands that lead to
-/// halfway cases; exponents at which products and quotients under- or overflow; small integers and their products.
+/// halfway cases; exponents at which products and quotients under- or overflow; small integers and their products; roots and
+/// reciprocals next to a tie.
 #[derive(Clone, Debug)]
 pub struct FloatCases {
     format: Format,
@@ -103,11 +112,28 @@ impl FloatCases {
         exponent << self.format.mantissa | (value << (self.format.mantissa - top) & mask(self.format.mantissa))
     }
 
+    /// An operand whose result lies next to the middle of two numbers: few do so closely.
+    fn next_to_a_tie(&mut self) -> u64 {
+        let [operand_of, result_of] = UNARY[self.random.usize(..UNARY.len())];
+        let middles = 1 << (self.format.mantissa + 1);
+        let candidate = |_| {
+            let tie = f64::from(middles + (self.random.u32(..middles) | 1)) / f64::from(middles);
+            // In either half of the exponents.
+            let tie = if self.random.bool() { tie } else { 2.0 * tie };
+            let operand = encode(self.format, operand_of(tie) as f32);
+            let distance = result_of(decode(self.format, operand).into()) / tie - 1.0;
+            (distance.abs(), u64::from(operand))
+        };
+        let nearest = (0..TIES).map(candidate).min_by(|(one, _), (other, _)| one.total_cmp(other));
+        nearest.expect("there are some").1
+    }
+
     fn mixture(&mut self) -> [u64; 3] {
         let (bias, near) = (i64::from(self.format.bias()), i64::from(self.format.mantissa) + 4);
-        match self.random.u8(..10) {
+        match self.random.u8(..11) {
             0 => [self.any(), self.any(), self.any()],
             1 => [self.special(), self.any(), self.special()],
+            10 => [self.next_to_a_tie(), self.any(), self.any()],
             2 => [self.any(), self.special(), self.special()],
             3 => {
                 let a = self.any();
