@@ -460,9 +460,13 @@ module bus_reader_v2 (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         no_request_is_longer_than_any_may_be: assert (~request_valid | ~(3'd4 < request_records));
+        no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
         if (!(~request_valid | ~(3'd4 < request_records))) begin
             $display("assertion failed: no_request_is_longer_than_any_may_be in %m"); $stop;
+        end
+        if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
+            $display("assertion failed: no_burst_is_longer_than_asked_for in %m"); $stop;
         end
 `endif
     end
@@ -808,9 +812,13 @@ module bus_reader (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         no_request_is_longer_than_any_may_be: assert (~request_valid | ~(3'd4 < request_records));
+        no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
         if (!(~request_valid | ~(3'd4 < request_records))) begin
             $display("assertion failed: no_request_is_longer_than_any_may_be in %m"); $stop;
+        end
+        if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
+            $display("assertion failed: no_burst_is_longer_than_asked_for in %m"); $stop;
         end
 `endif
     end
