@@ -7,8 +7,10 @@ use pointcore_golden::float::mul;
 /// Of so many operands the one is taken whose result is nearest to a tie.
 const TIES: usize = 64;
 
+type Function = fn(f64) -> f64;
+
 /// What an operand is for a result, and the result for an operand: of a root, a reciprocal and a reciprocal root.
-const UNARY: [[fn(f64) -> f64; 2]; 3] =
+const UNARY: [[Function; 2]; 3] =
     [[|y| y * y, f64::sqrt], [f64::recip, f64::recip], [|y| (y * y).recip(), |x| x.sqrt().recip()]];
 
 /// Formats up to this width have all their numbers among the first operands.
