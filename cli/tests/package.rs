@@ -11,6 +11,8 @@ const SPLATTING: &str = "kind = \"splat\"\nimage = { width = 64, height = 64 }\n
 /// One of two rasterizers, each with a port to memory, which a bus leads to one, one to payloads, and one to depths; no edge of its image is
 /// a power of two.
 const WIDE: &str = "kind = \"splat\"\nimage = { width = 72, height = 40 }\nfeatures = { geometry = \"bf16\", continuous = 1, merge = \"on\" }\nimplementation = { heap_levels = 4, rasterizers = 2, memory_ports = 2, tile_slots = 2, payload = \"memory\" }\n";
+/// One whose splats move, with two bins of the exposure.
+const MOVING: &str = "kind = \"splat\"\nimage = { width = 32, height = 32 }\nfeatures = { geometry = \"f24-ftz\", continuous = 1, time_bins = 2, culling = \"on\", screen_filter = \"off\" }\nimplementation = { heap_levels = 4, setup_interval = 16 }\n";
 /// A small search core with a tree cache and a neighbor cache.
 const CACHED: &str = "kind = \"search\"\nfeatures = { neighbors = 1, tree_depth = 3, bucket = 4, neighbor_cache = 2 }\nimplementation = { threads = 2, tree_cache = 16 }\n";
 /// A small search core whose point memory holds a few points, each in a beat of its own.
@@ -51,7 +53,8 @@ fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) 
 
 #[test]
 fn the_test_that_goes_with_a_core_passes_and_finds_faults() {
-    [("splat", SPLATTING), ("splat", WIDE), ("search", CACHED)].into_par_iter().for_each(|(core, config)| {
+    let configs = [("splat", SPLATTING), ("splat", WIDE), ("splat", MOVING), ("search", CACHED)];
+    configs.into_par_iter().for_each(|(core, config)| {
         let workplace = Workplace::new();
         workplace.write("config.toml", config);
         workplace.succeeds(&["gen", "config.toml", "-o", "a"]);
@@ -80,7 +83,7 @@ fn check(core: &str, folder: &Path) {
 
 #[test]
 fn the_test_that_goes_with_an_axi_top_passes_and_finds_faults() {
-    let configs = [("splat", SPLATTING), ("splat", WIDE), ("search", CACHED), ("search", NARROW)];
+    let configs = [("splat", SPLATTING), ("splat", WIDE), ("splat", MOVING), ("search", CACHED), ("search", NARROW)];
     configs.into_par_iter().for_each(|(core, config)| {
         let workplace = Workplace::new();
         workplace.write("config.toml", config);
