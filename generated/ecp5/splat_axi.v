@@ -729,11 +729,11 @@ module bus_reader (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        no_request_is_longer_than_any_may_be: assert (~request_valid | ~(4'd8 < request_records));
+        a_request_is_for_some_and_no_more_than_any_may_be: assert (~request_valid | (|request_records & ~(4'd8 < request_records)));
         no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
-        if (!(~request_valid | ~(4'd8 < request_records))) begin
-            $display("assertion failed: no_request_is_longer_than_any_may_be in %m"); $stop;
+        if (!(~request_valid | (|request_records & ~(4'd8 < request_records)))) begin
+            $display("assertion failed: a_request_is_for_some_and_no_more_than_any_may_be in %m"); $stop;
         end
         if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
             $display("assertion failed: no_burst_is_longer_than_asked_for in %m"); $stop;

@@ -55,8 +55,9 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     m.parameter("width", memory_bits);
     m.parameter("records", records_max);
     let request = ports.request.declare(&mut m, &records_max);
-    let fits = !lit(request.record.records.width(), records_max.into()).lt(request.record.records);
-    m.assert("no_request_is_longer_than_any_may_be", !request.valid | fits);
+    let records = request.record.records;
+    let is_within = records.any() & !lit(records.width(), records_max.into()).lt(records);
+    m.assert("a_request_is_for_some_and_no_more_than_any_may_be", !request.valid | is_within);
     let stride = Layout::record::<R>(config).stride(memory_bits).ilog2();
     let chunk_records = chunk_records::<R>(config, memory_bits);
     let (burst, under_way) = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
