@@ -77,6 +77,13 @@ impl Layout {
         packet
     }
 
+    /// Ones where fields are, of each those that `of` leaves of its name; zeros elsewhere.
+    #[must_use]
+    pub fn mask(&self, bytes: u32, of: impl Fn(&str) -> u64) -> Vec<u8> {
+        let ones = |place: &Place| of(&place.name) & (u64::MAX >> (64 - place.width));
+        self.encode(&self.places.iter().map(ones).collect::<Vec<_>>(), bytes)
+    }
+
     /// The values of the fields in order; what surrounds them is ignored.
     #[must_use]
     pub fn decode(&self, packet: &[u8]) -> Vec<u64> {
@@ -127,5 +134,7 @@ mod tests {
         bytes[0] |= 0xfe;
         bytes[7] = 0xff;
         assert_eq!(layout.decode(&bytes), values, "padding is ignored");
+        let mask = layout.mask(layout.packet_bytes(64), |name| if name == "f1" { !0xff } else { u64::MAX });
+        assert_eq!(mask[..12], [1, 0, 0, 0, 0, 0xff, 0xff, 0, 0xff, 1, 0xff, 0]);
     }
 }

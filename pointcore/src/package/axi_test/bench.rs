@@ -39,15 +39,8 @@ impl Buffer {
     fn parameters(&self, memory_bits: u32) -> String {
         let Self { tiles, pixel_beats, pixel, .. } = self;
         let width = pixel_beats * memory_bits;
-        let layout = Layout::of(pixel);
-        let all: Vec<u64> = layout.places.iter().map(|place| u64::MAX >> (64 - place.width)).collect();
-        let bytes = layout.encode(&all, width / 8);
-        let held: String = bytes.iter().rev().map(|byte| format!("{byte:02x}")).collect();
-        format!(
-            "    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n    \
-             localparam [{}:0] PIXEL_HELD = {width}'h{held};\n",
-            width - 1
-        )
+        let held = Layout::of(pixel).mask(width / 8, |_| u64::MAX);
+        format!("    localparam TILES = {tiles}, PIXEL_BEATS = {pixel_beats};\n{}", mask("PIXEL_HELD", &held))
     }
 
     /// Looks at what passes the core's ports.
@@ -174,9 +167,7 @@ pub struct Bench<'a> {
     pub bus: Config,
     /// What it plays.
     pub script: &'a FinishedScript,
-    /// Bytes of a packet that comes from the core.
-    pub packet_bytes: u32,
-    /// Bits of it that name what it answers.
+    /// Which bits of a packet that comes from the core name what it answers.
     pub name_mask: Vec<u8>,
     /// The bit of its first word that closes a frame.
     pub end_mask: u32,
@@ -205,6 +196,13 @@ fn net(port: &str) -> String {
         "s_axi_araddr" => "window_araddr".to_owned(),
         _ => port.to_owned(),
     }
+}
+
+/// A parameter as wide as its bytes.
+fn mask(name: &str, bytes: &[u8]) -> String {
+    let digits: String = bytes.iter().rev().map(|byte| format!("{byte:02x}")).collect();
+    let bits = 8 * bytes.len();
+    format!("    localparam [{}:0] {name} = {bits}'h{digits};\n", bits - 1)
 }
 
 fn range(width: u32) -> String {
@@ -284,22 +282,20 @@ impl Bench<'_> {
     }
 
     fn parameters(&self) -> String {
-        let Self { bus, packet_bytes, end_mask, .. } = self;
+        let Self { bus, name_mask, end_mask, .. } = self;
         let FinishedScript { words, answers, .. } = self.script;
         let name = self.top.top();
-        let name_mask: String = self.name_mask.iter().rev().map(|byte| format!("{byte:02x}")).collect();
         let mut text = format!(
             "    localparam WORDS = {words}, ANSWERS = {answers};\n    localparam [31:0] MAGIC = 32'h{MAGIC:x};\n    \
              localparam FILE = \"{name}_test.hex\";\n    \
-             localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {}, EVENT_BITS = {};\n    \
-             localparam [{}:0] NAME_MASK = {}'h{name_mask};\n    localparam [31:0] END_MASK = 32'h{end_mask:x};\n",
+             localparam STREAM_BITS = {}, MEMORY_BITS = {}, PACKET_WORDS = {}, EVENTS = {}, EVENT_BITS = {};\n\
+             {}    localparam [31:0] END_MASK = 32'h{end_mask:x};\n",
             bus.stream_bits,
             bus.memory_bits,
-            packet_bytes / 4,
+            name_mask.len() / 4,
             self.events.len(),
             self.event_bits(),
-            8 * packet_bytes - 1,
-            8 * packet_bytes,
+            mask("NAME_MASK", name_mask),
         );
         if let Some(buffer) = &self.buffer {
             text += &buffer.parameters(bus.memory_bits);

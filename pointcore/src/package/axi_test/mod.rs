@@ -13,8 +13,8 @@ mod splat_script;
 use crate::search::SearchError;
 use crate::splat::SplatCore;
 use bench::{Bench, BenchMemory, Buffer, Placed, RecordMemory};
+use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::units::splat_axi::Ports;
-use pointcore_contract::bus::{Layout, Place};
 use pointcore_contract::process::queries::Outcome;
 use pointcore_contract::search::records::CachedResult;
 use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS};
@@ -37,8 +37,7 @@ const END_MASK: u32 = 1;
 /// The bits of a packet that name what it answers: of each field those that a function of its name leaves.
 fn name_mask<R: Record>(config: &R::Config, stream_bits: u32, named: fn(&str) -> u64) -> Vec<u8> {
     let layout = Layout::record::<R>(config);
-    let bits = |place: &Place| named(&place.name) & u64::MAX >> (64 - place.width);
-    layout.encode(&layout.places.iter().map(bits).collect::<Vec<_>>(), layout.packet_bytes(stream_bits))
+    layout.mask(layout.packet_bytes(stream_bits), named)
 }
 
 /// All of a query's number.
@@ -56,7 +55,6 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         top,
         bus: config.bus,
         script: &script,
-        packet_bytes: Layout::record::<CachedResult>(config).packet_bytes(config.bus.stream_bits),
         name_mask: name_mask::<CachedResult>(config, config.bus.stream_bits, number),
         end_mask: 0,
         events: fields::<search::units::Events>(config),
@@ -83,7 +81,6 @@ pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, Searc
         top,
         bus: config.search.bus,
         script: &script,
-        packet_bytes: Layout::record::<Outcome>(&config.process).packet_bytes(config.search.bus.stream_bits),
         name_mask: name_mask::<Outcome>(&config.process, config.search.bus.stream_bits, number),
         end_mask: 0,
         events: fields::<points::units::Events>(config),
@@ -109,7 +106,6 @@ pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Resul
         top,
         bus: config.bus,
         script: &script,
-        packet_bytes: Layout::record::<Fragment>(config).packet_bytes(config.bus.stream_bits),
         name_mask: name_mask::<Fragment>(config, config.bus.stream_bits, splat_script::tile),
         end_mask: END_MASK,
         events: fields::<splat::units::Events>(config),

@@ -16,8 +16,8 @@ use pointcore_contract::points::Config;
 use pointcore_contract::process::queries::{Outcome, Query};
 use pointcore_contract::process::records::Neighbor;
 use pointcore_contract::process::{Scalar, Word};
+use pointcore_contract::search;
 use pointcore_contract::search::records::{Bucket, Node, Points};
-use pointcore_contract::{fields, search};
 use std::collections::BTreeMap;
 
 /// The seed of everything that a script chooses.
@@ -196,15 +196,10 @@ impl Host<'_> {
     fn send(&mut self, index: usize) {
         let (process, stream_bits) = (&self.config.process, self.config.search.bus.stream_bits);
         let layout = Layout::record::<Query>(process);
-        let bytes = layout.packet_bytes(stream_bits);
-        let all: Vec<u64> = fields::<Query>(process).iter().map(|field| u64::MAX >> (64 - field.width)).collect();
-        let held = words(&layout.encode(&all, bytes));
         let values: Vec<u64> = std::iter::once(index as u64)
             .chain(self.world.queries[index].iter().map(|word| u64::from(*word)))
             .collect();
-        let sent = words(&layout.encode(&values, bytes));
-        let packet: Vec<u32> =
-            sent.iter().zip(held).map(|(word, held)| word | (self.control.script.random.u32(..) & !held)).collect();
+        let packet = self.control.script.packet(&layout, &values, stream_bits);
         self.control.script.send(&packet, stream_bits);
     }
 

@@ -3,6 +3,7 @@
 use super::operations::{Burst, Channel, Counted, Pauses, Refusal};
 use super::registers::START;
 use fastrand::Rng;
+use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::registers::{CONTROL, COUNTERS, ERRORS, ErrorCounter, STATUS};
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -220,6 +221,14 @@ impl Script {
         self.errors.clear();
         self.operation(23, 0, &[]);
         self.memory_is_spoilt = false;
+    }
+
+    /// The packet of a record, with noise where it holds nothing.
+    pub fn packet(&mut self, layout: &Layout, values: &[u64], stream_bits: u32) -> Vec<u32> {
+        let bytes = layout.packet_bytes(stream_bits);
+        let held = words(&layout.mask(bytes, |_| u64::MAX));
+        let sent = words(&layout.encode(values, bytes));
+        sent.iter().zip(held).map(|(word, held)| word | (self.random.u32(..) & !held)).collect()
     }
 
     /// Sends a packet of whole words as beats.

@@ -9,7 +9,6 @@ use super::searches::{Placement, Searches};
 use crate::search::{QueryKind, Reuse};
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
 use pointcore_contract::bus::{Layout, Register};
-use pointcore_contract::fields;
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{CachedQuery, CachedResult};
 use std::collections::BTreeMap;
@@ -86,13 +85,8 @@ impl<'a> Host<'a> {
 
     /// A query's packet, with noise where it holds nothing.
     fn packet(&mut self, values: &[u64]) -> Vec<u32> {
-        let query_fields = fields::<CachedQuery>(self.config);
-        let layout = Layout::of(&query_fields);
-        let bytes = layout.packet_bytes(self.config.bus.stream_bits);
-        let all: Vec<u64> = query_fields.iter().map(|field| u64::MAX >> (64 - field.width)).collect();
-        let held = words(&layout.encode(&all, bytes));
-        let sent = words(&layout.encode(values, bytes));
-        sent.iter().zip(held).map(|(word, held)| word | (self.control.script.random.u32(..) & !held)).collect()
+        let layout = Layout::record::<CachedQuery>(self.config);
+        self.control.script.packet(&layout, values, self.config.bus.stream_bits)
     }
 
     fn values(&self, index: usize) -> Vec<u64> {

@@ -70,22 +70,24 @@ impl<'a> Host<'a> {
     /// Writes a frame's uniforms, in any order.
     fn look(&mut self, frame: usize) {
         self.now = frame;
-        let uniforms = fields::<Uniforms>(self.config).into_iter();
-        let mut uniforms: Vec<_> = uniforms.zip(values(self.config, self.frames[frame].sent.uniforms)).collect();
+        let mut uniforms = self.uniforms();
         self.control.script.random.shuffle(&mut uniforms);
         for (field, value) in uniforms {
             self.control.set(&field.name, value as u32);
         }
     }
 
+    /// The uniforms of the frame in force.
+    fn uniforms(&self) -> Vec<(Field, u64)> {
+        let uniforms = fields::<Uniforms>(self.config).into_iter();
+        uniforms.zip(values(self.config, self.frames[self.now].sent.uniforms)).collect()
+    }
+
     /// The packet of a splat, with noise where it holds nothing.
     fn packet(&mut self, index: usize) -> Vec<u32> {
         let layout = Layout::record::<Splat>(self.config);
-        let bytes = layout.packet_bytes(self.config.bus.stream_bits);
-        let all: Vec<u64> = layout.places.iter().map(|place| u64::MAX >> (64 - place.width)).collect();
-        let held = words(&layout.encode(&all, bytes));
-        let sent = words(&layout.encode(&values(self.config, self.frames[self.now].sent.records[index]), bytes));
-        sent.iter().zip(held).map(|(word, held)| word | (self.control.script.random.u32(..) & !held)).collect()
+        let splat = values(self.config, self.frames[self.now].sent.records[index]);
+        self.control.script.packet(&layout, &splat, self.config.bus.stream_bits)
     }
 
     fn send(&mut self, index: usize) {
@@ -222,8 +224,7 @@ impl<'a> Host<'a> {
     pub fn run_late(&mut self) {
         self.control.script.pauses(Pauses::None);
         let now = self.now;
-        let uniforms = fields::<Uniforms>(self.config).into_iter();
-        let uniforms: Vec<_> = uniforms.zip(values(self.config, self.frames[now].sent.uniforms)).collect();
+        let uniforms = self.uniforms();
         let late = late_uniforms(self.config);
         for &place in &late {
             let (Field { name, width, .. }, value) = &uniforms[place];
