@@ -31,16 +31,17 @@ pub struct Border {
 
 /// An operator that was taken out: what it answers depends on the operands some enabled cycles before, and on nothing else.
 #[derive(Clone, Debug)]
-struct Operator {
-    enable: String,
-    operands: Vec<String>,
-    result: String,
+pub struct Operator {
+    /// Its ports.
+    pub enable: String,
+    pub operands: Vec<String>,
+    pub result: String,
     stages: usize,
 }
 
 impl Operator {
     /// That of an interface, by its name and ports: `float_add_s4_f24` has four stages.
-    fn of(interface: &ModuleInterface) -> Option<Self> {
+    pub fn of(interface: &ModuleInterface) -> Option<Self> {
         let ModuleInterface { name, ports, .. } = interface;
         let stages =
             name.split('_').find_map(|word| word.strip_prefix('s')?.parse().ok()).filter(|&stages| stages > 0)?;
@@ -381,6 +382,18 @@ mod tests {
         assert!(text.contains(".\\sum.y ((\\sum.y.strayed [3] ? \\sum.y.other  : \\sum.y )), "), "{text}");
         assert!(text.contains("input wire [23:0] \\sum.y.other , "), "{text}");
         assert!(!text.contains("\\gold_sum.a  != \\gate_sum.a ),"), "{text}");
+    }
+
+    #[test]
+    fn what_an_operator_answers_counts_once_it_was_given_something() {
+        let port = |name: &str, width, direction| Port { name: name.into(), width, direction };
+        let [clk, enable] = ["clk", "enable"].map(|name| port(name, 1, Direction::Input));
+        let ports = vec![clk, enable, port("a", 8, Direction::Input), port("y", 8, Direction::Output)];
+        let root = ModuleInterface { name: "float_sqrt_s3_f8".into(), ports, streams: vec![] };
+        let text = Border::from(&root).side_by_side();
+        assert!(text.contains("if (enable) given <= {1'd1, given[3:1]};"), "{text}");
+        assert!(text.contains("assign differ = given[0] && (|{(gold_y != gate_y)});"), "{text}");
+        assert!(!Border::from(&root).with_ports("input [7:0] a").side_by_side().contains("given"));
     }
 
     #[test]

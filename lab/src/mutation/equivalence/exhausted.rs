@@ -9,8 +9,8 @@ use super::{Proof, Prover, REGISTER};
 use crate::mutation::MutationError;
 use crate::mutation::process::{self, Verdict};
 use crate::mutation::schemata::NETLIST;
-use crate::mutation::side_by_side::VERSIONS;
-use pointcore_tb::verilated::{Direction, ModuleInterface, Port};
+use crate::mutation::side_by_side::{Operator, VERSIONS};
+use pointcore_tb::verilated::{ModuleInterface, Port};
 use std::process::Command;
 use std::time::Duration;
 
@@ -26,13 +26,48 @@ const WIRES: &str = "(* techmap_celltype = \"$dff\" *)\nmodule wires(CLK, D, Q);
 /// Goes through all operands.
 const LOOP: &str = include_str!("exhausted.cpp");
 
-/// The operand and the result of an operator that has one operand.
-fn ports(interface: &ModuleInterface) -> Option<[&Port; 2]> {
-    let mut operands = interface.ports.iter().filter(|port| port.direction == Direction::Input);
-    let result = interface.ports.iter().find(|port| port.direction == Direction::Output)?;
-    let operand = operands.find(|port| !["clk", "enable"].contains(&&*port.name))?;
-    let has_enable = interface.ports.iter().any(|port| port.name == "enable");
-    (interface.ports.len() == 4 && has_enable && operand.width <= OPERAND_BITS).then_some([operand, result])
+/// An operator of one operand.
+struct Unary<'a> {
+    module: &'a str,
+    enable: String,
+    operand: &'a Port,
+    result: &'a Port,
+}
+
+impl<'a> Unary<'a> {
+    /// That of an interface, if it is one.
+    fn of(interface: &'a ModuleInterface) -> Option<Self> {
+        let Operator { enable, operands, result, .. } = Operator::of(interface)?;
+        let [operand] = &operands[..] else { return None };
+        let port = |name: &str| interface.ports.iter().find(|port| port.name == name);
+        let (operand, result) = (port(operand)?, port(&result)?);
+        (operand.width <= OPERAND_BITS).then_some(Self { module: &interface.name, enable, operand, result })
+    }
+
+    /// A module in which it is enabled or not.
+    fn enabled(&self, enable: bool) -> String {
+        let Self { module, enable: port, operand: Port { name: a, width: a_bits, .. }, .. } = self;
+        let Port { name: y, width: y_bits, .. } = self.result;
+        format!(
+            "module {ENABLED}(input clk, input [{}:0] {a}, output [{}:0] {y});\n\
+             {module} unit(.clk(clk), .{port}(1'd{}), .{a}({a}), .{y}({y}));\nendmodule\n",
+            a_bits - 1,
+            y_bits - 1,
+            u32::from(enable)
+        )
+    }
+
+    /// A module in which both versions are given an operand.
+    fn both(&self) -> String {
+        let [a, y] = [self.operand, self.result].map(|port| &port.name);
+        let [gold, gate] = VERSIONS
+            .map(|version| format!("{version} {version}(.clk(1'd0), .{a}(operand), .{y}({version}_result));\n"));
+        let [operand, result] = [self.operand, self.result].map(|port| port.width - 1);
+        format!(
+            "module both(input [{operand}:0] operand, output differ);\nwire [{result}:0] gold_result, gate_result;\n\
+             {gold}{gate}assign differ = gold_result != gate_result;\nendmodule\n"
+        )
+    }
 }
 
 /// What a register always takes is what it always holds, once it took it: it then holds that out of its turn, too.
@@ -44,20 +79,8 @@ fn of_output(mutation: &str) -> String {
 impl Prover<'_> {
     /// Compares an operator with its mutant, if it has one operand: `None` of another module, or of a mutant that is no pipeline.
     pub(super) fn exhaust(&self, module: &str) -> Result<Option<Proof>, MutationError> {
-        let known = self.subject.interfaces.iter().find(|interface| interface.name == module);
-        let Some([operand, result]) = known.and_then(ports) else { return Ok(None) };
-        let folder = Folder::new()?;
-        let range = |port: &Port| format!("[{}:0] {}", port.width - 1, port.name);
-        let around = |enable: u32| {
-            format!(
-                "module {ENABLED}(input clk, input {}, output {});\n{module} unit(.clk(clk), .enable(1'd{enable}), \
-                 .{2}({2}), .{3}({3}));\nendmodule\n",
-                range(operand),
-                range(result),
-                operand.name,
-                result.name
-            )
-        };
+        let interface = self.subject.interfaces.iter().find(|interface| interface.name == module);
+        let Some(operator) = interface.and_then(Unary::of) else { return Ok(None) };
         let flat = |around: &str| {
             format!("read_verilog {around}\nhierarchy -top {ENABLED}\nproc\nflatten\nmemory\nopt -full\n")
         };
@@ -78,31 +101,17 @@ impl Prover<'_> {
             as_wires(gate),
             as_wires(gold)
         );
+        let folder = Folder::new()?;
         folder.write("source.v", &self.subject.verilog)?;
-        folder.write("runs.v", &around(1))?;
-        folder.write("holds.v", &around(0))?;
+        folder.write("runs.v", &operator.enabled(true))?;
+        folder.write("holds.v", &operator.enabled(false))?;
         folder.write("wires.v", WIRES)?;
         folder.write("pipelines.ys", &pipelines)?;
         if self.yosys.run(module, folder.path(), &["-q", "pipelines.ys"]).is_err() {
             return Ok(None);
         }
-        let connected = |version: &str| {
-            format!(
-                "{version} {version}(.clk(1'd0), .{0}(operand), .{1}({version}_result));\n",
-                operand.name, result.name
-            )
-        };
-        let [operand_range, result_range] = [operand.width, result.width].map(|width| width - 1);
-        folder.write(
-            "both.v",
-            &format!(
-                "module both(input [{operand_range}:0] operand, output differ);\nwire [{result_range}:0] gold_result, \
-                 gate_result;\n{}{}assign differ = gold_result != gate_result;\nendmodule\n",
-                connected(gold),
-                connected(gate)
-            ),
-        )?;
-        folder.write("loop.cpp", &LOOP.replace("OPERAND_BITS", &operand.width.to_string()))?;
+        folder.write("both.v", &operator.both())?;
+        folder.write("loop.cpp", &LOOP.replace("OPERAND_BITS", &operator.operand.width.to_string()))?;
         let mut build = Command::new("verilator");
         build.args(["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "-Wno-fatal", "-Wno-lint", "-Wno-style"]);
         build.args(["-CFLAGS", "-O3", "--top-module", "both", "both.v", "gold.v", "gate.v", "loop.cpp"]);
