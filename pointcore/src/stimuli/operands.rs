@@ -7,6 +7,7 @@ use pointcore_golden::float::mul;
 /// Of so many operands the one is taken whose result is nearest to a tie.
 const TIES: usize = 64;
 
+/// A function of one number.
 type Function = fn(f64) -> f64;
 
 /// What an operand is for a result, and the result for an operand: of a root, a reciprocal and a reciprocal root.

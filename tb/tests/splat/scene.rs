@@ -1,7 +1,7 @@
 //! Random splats of all kinds, on every unit's input.
 
 use fastrand::Rng;
-use pointcore::number::encode_attribute;
+use pointcore::number::{decode, encode_attribute};
 use pointcore::splat::END;
 use pointcore::stimuli::motion::motion;
 use pointcore_contract::splat::Config;
@@ -219,11 +219,12 @@ fn touching(config: &Config, footprint: Footprint, random: &mut Rng) -> Footprin
 
 /// A surface, or another whose band ends there.
 fn plane(format: Format, random: &mut Rng) -> DepthPlane {
-    let surface = encode(format, 0.53) as u32 + random.u32(0..NEAR_BY);
+    let number = |value| pointcore::number::encode(format, value);
+    let surface = number(0.53) + random.u32(0..NEAR_BY);
     let apart = if random.bool() { 0.25 + 0.2 * random.f32() } else { 0.0 };
-    let center = pointcore::number::encode(format, pointcore::number::decode(format, surface) + apart);
-    let epsilon = pointcore::number::encode(format, apart) + random.u32(0..NEAR_BY);
-    let whole = [0.0, 1.0].map(|end| pointcore::number::encode(format, end));
+    let center = number(decode(format, surface) + apart);
+    let epsilon = number(apart) + random.u32(0..NEAR_BY);
+    let whole = [0.0, 1.0].map(number);
     let mut range =
         if random.bool() { whole } else { [(); 2].map(|()| center ^ 1 << random.u32(0..format.width() - 1)) };
     range.sort_unstable();
@@ -233,8 +234,8 @@ fn plane(format: Format, random: &mut Rng) -> DepthPlane {
 /// The same splat with a depth close to its own, or with a band that ends there.
 fn moving_and_touching(config: &Config, moving: Moving, random: &mut Rng) -> Moving {
     let format = config.geometry;
-    let [scale, distance] = [moving.footprint.depth_scale, moving.footprint.distance[0]]
-        .map(|bits| pointcore::number::decode(format, bits));
+    let [scale, distance] =
+        [moving.footprint.depth_scale, moving.footprint.distance[0]].map(|bits| decode(format, bits));
     let farther = if random.bool() { scale * (1.0 - 0.25 * random.f32()) } else { scale };
     let apart = ((farther - scale) / distance * (1 << DEPTH_BITS) as f32).clamp(0.0, (SURFACE / 2) as f32);
     let depth_scale = pointcore::number::encode(format, farther);
