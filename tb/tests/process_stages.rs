@@ -31,7 +31,7 @@ impl Rule for Threads {
 }
 
 /// Words of a record; those of a float's width have magnitudes that programs can do something with, all of them in most records: a single
-/// one that is out of all proportion hides the others in a sum. Now and then one has a single bit, or none.
+/// one that is out of all proportion hides the others in a sum. Now and then one has a single bit, or none, or is infinite.
 fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
     let format = config.format;
     let is_wild = random.u8(..4) == 0;
@@ -43,6 +43,7 @@ fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng
         match random.u8(..8) {
             0 if few_bits => 0,
             1 if few_bits => 1 << random.u32(..width),
+            2 if is_wild && width == format.width() => format.infinity(),
             _ if is_tame => word & !format.infinity() | exponent << format.mantissa,
             _ => word,
         }

@@ -198,7 +198,7 @@ fn proof_near(yosys: &Tool, text: &str, mutated: &str, words: &[&str]) -> Proof 
     let mutation = &listed(yosys, subject, mutated, words);
     let prover = prover(yosys, subject, mutated, mutation);
     let cell = &prover.name_in("top", prover.cell.expect("it has a cell"));
-    let around = Around { cell, operators: Operators::Strict, first: None };
+    let around = Around { cell, operators: Operators::Strict, begins_set: false };
     let [near, in_turns] = [Way::Around(around), Way::InTurns(None)]
         .map(|way| prover.compare_as("top", &BTreeSet::new(), way).unwrap_or_else(|error| panic!("{error}")));
     assert_eq!(near, in_turns, "{mutation}");
@@ -256,10 +256,15 @@ fn what_an_operator_is_given_out_of_turn_may_be_inverted() {
         );
         let text = format!("{operator}{top}");
         let subject = &Subject { interfaces: interfaces.clone(), ..subject(&text, "", None, "top") };
-        let mutation = &listed(&yosys, subject, "top", &inverts("-wire kept "));
-        let prover = prover(&yosys, subject, "top", mutation);
-        let hidden = prover.is_hidden_near("top", &BTreeSet::from(["float_neg_s1_f8"]));
-        hidden.unwrap_or_else(|error| panic!("{error}"))
+        let hidden = ["-wirebit 0 ", "-wirebit 1 "].map(|bit| {
+            let words = [inverts("-wire kept ").as_slice(), &[bit]].concat();
+            let mutation = &listed(&yosys, subject, "top", &words);
+            let prover = prover(&yosys, subject, "top", mutation);
+            let hidden = prover.is_hidden_near("top", &BTreeSet::from(["float_neg_s1_f8"]));
+            hidden.unwrap_or_else(|error| panic!("{error}"))
+        });
+        assert_eq!(hidden[0], hidden[1]);
+        hidden[0]
     };
     // The operator takes a cycle. Loaded in the second phase, what it holds before that has to begin the other way.
     assert_eq!(

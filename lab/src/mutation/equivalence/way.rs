@@ -30,8 +30,8 @@ pub(super) struct Around<'a> {
     /// The mutated cell.
     pub cell: &'a str,
     pub operators: Operators,
-    /// What it holds first, where it is a register; else zero.
-    pub first: Option<&'a str>,
+    /// The bit that is mutated in a register's output begins the other way.
+    pub begins_set: bool,
 }
 
 /// What operators may be given.
@@ -45,6 +45,9 @@ pub(super) enum Operators {
 
 /// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
 const NEAR: usize = 3;
+
+/// What yosys calls the bit of a port that it mutates, before it is mutated.
+const MUTATED_BIT: &str = "gate/w:$auto$mutate.cc:*";
 
 /// In yosys' words, the next registers behind what is selected.
 const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
@@ -81,13 +84,12 @@ impl Way<'_> {
 impl Around<'_> {
     /// Marks what is near. The cell must be there.
     fn mark(self) -> String {
-        let Self { cell, first, .. } = self;
-        let first =
-            first.map_or(String::new(), |first| format!("setattr -set init {first} gate/c:{cell} %co:+$dff[Q]\n"));
-        format!(
-            "select -assert-any gate/c:{cell}\n{first}\
-             setattr -set near 1 gate/c:{cell}{}\n",
-            NEXT.repeat(NEAR)
-        )
+        let Self { cell, begins_set, .. } = self;
+        let bit = if begins_set {
+            format!("setattr -set init 1'b1 gate/c:{cell} %co:+$dff[Q] {MUTATED_BIT} %i\n")
+        } else {
+            String::new()
+        };
+        format!("select -assert-any gate/c:{cell}\n{bit}setattr -set near 1 gate/c:{cell}{}\n", NEXT.repeat(NEAR))
     }
 }
