@@ -1,6 +1,7 @@
-//! The harness itself, on a small queue written by hand.
+//! The harness itself, on a small queue written by hand, and on a renderer.
 
 mod builds;
+mod fault;
 mod lockstep;
 
 use std::collections::VecDeque;

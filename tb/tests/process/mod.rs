@@ -7,6 +7,7 @@ mod cost;
 mod generator;
 mod library;
 pub mod scene;
+pub mod stage;
 
 use crate::compiler::model::{build, compile_all, run};
 use block::{Counts, Golden, settings};

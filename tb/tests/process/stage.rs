@@ -1,14 +1,10 @@
 //! The blocks `init` and `final` as units against their models: each thread leaves with what was computed of its words.
 
-use pointcore_contract::process::queries::{FinalInput, FinalSettings, InitInput, InitSettings};
-use pointcore_contract::process::{Config, stages};
+use pointcore_contract::process::Config;
 use pointcore_contract::{Record, Unit, fields};
-use pointcore_golden::process::{Finish, Init};
 use pointcore_golden::unit::Model;
-use pointcore_hdl::compiler::{Datapath, Options};
-use pointcore_hdl::process::stage;
+use pointcore_hdl::compiler::Datapath;
 
-use crate::process::scene::configs;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
@@ -51,7 +47,8 @@ fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng
     fields::<R>(config).into_iter().map(|field| word(field.width)).collect()
 }
 
-fn agree<M, I, S>(config: &Config, unit: &Unit<Config>, (datapath, model): (Datapath, M))
+/// A block's hardware against its model, with the `QUERIES` that pass through it.
+pub fn agree<M, I, S>(config: &Config, unit: &Unit<Config>, (datapath, model): (Datapath, M))
 where
     M: Model<Config = Config> + 'static,
     I: Record<Config = Config>,
@@ -73,22 +70,4 @@ where
         assert_eq!(report.transfers("out"), QUERIES);
         assert_eq!(threads.left, threads.entered);
     });
-}
-
-#[test]
-fn blocks_agree_with_the_model_thread_by_thread() {
-    let mut inits = 0;
-    for config in configs() {
-        let compile = |datapath: Result<Datapath, _>| datapath.unwrap_or_else(|error| panic!("{error}"));
-        let finish = compile(stage::finish(&config, &Options::default()));
-        let model = Finish::new(&config, finish.manifest.latency);
-        agree::<_, FinalInput, FinalSettings>(&config, &stages::finish::UNIT, (finish, model));
-        if config.has_init() {
-            inits += 1;
-            let init = compile(stage::init(&config, &Options::default()));
-            let model = Init::new(&config, init.manifest.latency);
-            agree::<_, InitInput, InitSettings>(&config, &stages::init::UNIT, (init, model));
-        }
-    }
-    assert_eq!(inits, 2);
 }
