@@ -5,13 +5,11 @@ use pointcore_contract::process::{Config, queries, stages};
 use pointcore_golden::process::Control;
 use pointcore_hdl::process::control;
 
-use crate::process::scene::{configs, field, item};
+use crate::process::scene::{configs, field, item, number};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
 const QUERIES: u64 = 300;
-/// Odd, so that numbers have all their bits and none comes twice.
-const STEP: u64 = 0x9e37_79b1;
 
 /// Searches find some neighbors, `init` and `kernel` and `final` take their time.
 #[derive(Clone)]
@@ -29,8 +27,8 @@ struct Surroundings {
 
 impl Surroundings {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
-        for number in 0..QUERIES {
-            let number = number.wrapping_mul(STEP) & ((1 << config.index_bits) - 1);
+        for index in 0..QUERIES {
+            let number = number(config, index);
             let query = item::<queries::Query>(config, &[number], &mut feeds.random);
             feeds.feed("query", query);
         }

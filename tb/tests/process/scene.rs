@@ -35,13 +35,18 @@ pub fn configs() -> [Config; 4] {
 /// several rates.
 pub fn every_program() -> Vec<Config> {
     let [f32, f24] = [Format::F32, Format::F24];
-    let shapes = [(1, 3, f32.flushed(), 1), (5, 64, f24, 2), (16, 16, f32, 1), (32, 8, f24.flushed(), 3)];
+    let shapes = [(2, 9, f32.flushed(), 1), (5, 64, f24, 2), (16, 16, f32, 1), (32, 8, f24.flushed(), 3)];
     let [base, _, farthest, _] = configs();
     let library = PROGRAMS.iter().zip(shapes.into_iter().cycle()).map(|((name, _), shape)| {
         let (threads, neighbors, format, rate) = shape;
         Config { program: Arc::new(program(name)), threads, neighbors, format, rate, ..base.clone() }
     });
     library.chain([farthest]).collect()
+}
+
+/// A query's number: the step is odd, so that numbers have all their bits and none comes twice.
+pub fn number(config: &Config, index: u64) -> u64 {
+    index.wrapping_mul(0x9e37_79b1) & ((1 << config.index_bits) - 1)
 }
 
 /// An item of a stream that begins with `first`; what is behind is random.

@@ -28,7 +28,7 @@ impl Rule for Threads {
 
 /// Words of a record; those of a float's width have magnitudes that programs can do something with, all of them in most records: a single
 /// one that is out of all proportion hides the others in a sum. Now and then one has a single bit, or none, or is infinite.
-fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
+pub fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
     let format = config.format;
     let is_wild = random.u8(..4) == 0;
     let few_bits = random.u8(..4) == 0;
