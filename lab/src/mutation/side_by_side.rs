@@ -3,6 +3,7 @@
 use super::modules::Instance;
 use pointcore_tb::verilated::{Direction, ModuleInterface, Port, RESET, StreamDeclaration};
 use rtl::address_width;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Name of the module that holds both.
@@ -27,6 +28,8 @@ pub struct Border {
     operator: Option<Operator>,
     /// Those that were taken out of it.
     operators: Vec<Operator>,
+    /// The outputs that are compared, where the others are known to be the same; else all are.
+    compared: Option<BTreeSet<String>>,
 }
 
 /// An operator that was taken out: what it answers depends on the operands some enabled cycles before, and on nothing else.
@@ -116,7 +119,7 @@ impl Stream {
 impl From<&ModuleInterface> for Border {
     fn from(interface: &ModuleInterface) -> Self {
         let streams = interface.streams.iter().map(Stream::from).chain(Stream::channels(&interface.ports)).collect();
-        Self { ports: interface.ports.clone(), streams, operator: Operator::of(interface), operators: vec![] }
+        Self { ports: interface.ports.clone(), streams, operator: Operator::of(interface), ..Self::default() }
     }
 }
 
@@ -184,6 +187,14 @@ impl Border {
         Self { ports: listed.lines().filter_map(port).collect(), operator: None, ..self }
     }
 
+    /// The same where only these outputs are compared, as yosys lists them: `gate/sum.y` is one. All have to be there.
+    pub fn with_compared(self, listed: &str) -> Option<Self> {
+        let name = |line: &str| Some(line.strip_prefix(VERSIONS[1])?.strip_prefix('/')?.to_owned());
+        let compared: BTreeSet<String> = listed.lines().map(name).collect::<Option<_>>()?;
+        let is_there = |name: &String| self.ports.iter().any(|port| port.name == *name);
+        compared.iter().all(is_there).then_some(Self { compared: Some(compared), ..self })
+    }
+
     /// Whether operators were taken out.
     pub const fn has_operators(&self) -> bool {
         !self.operators.is_empty()
@@ -247,7 +258,8 @@ impl Border {
             let offered = flag.map_or(String::new(), |stream| format!("{} && ", shown(gold, &stream.flag)));
             format!("({offered}{} != {})", shown(gold, name), shown(gate, name))
         };
-        let seen = of(Direction::Output).filter(|port| self.operator(&port.name).is_none());
+        let is_compared = |name: &String| self.compared.as_ref().is_none_or(|compared| compared.contains(name));
+        let seen = of(Direction::Output).filter(|port| self.operator(&port.name).is_none() && is_compared(&port.name));
         let mut differences: Vec<_> = seen.map(|port| difference(&port.name)).collect();
         if differences.is_empty() {
             differences.push("1'd0".to_owned());

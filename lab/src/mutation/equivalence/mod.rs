@@ -118,8 +118,11 @@ impl Prover<'_> {
         let exhausted = if is_mutated { self.exhaust(name)? } else { None };
         let mut proof = exhausted.unwrap_or(Proof::Open);
         if proof == Proof::Open && (is_mutated || is_small) {
+            if self.is_hidden_near(module, &open, Operators::Strict)? {
+                return Ok(Proof::Equivalent);
+            }
             proof = self.compare(module, &open)?;
-            if proof != Proof::Equivalent && self.is_hidden_near(module, &open)? {
+            if proof != Proof::Equivalent && self.is_hidden_near(module, &open, Operators::Tolerant)? {
                 return Ok(Proof::Equivalent);
             }
         }
@@ -198,17 +201,17 @@ impl Prover<'_> {
 
     /// Whether no register near the mutated cell shows a difference where it is looked at: whatever operators do, or as what they are
     /// given says. A register that inverts a bit may also begin with it the other way.
-    fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>) -> Result<bool, MutationError> {
+    fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>, operators: Operators) -> Result<bool, MutationError> {
         let Some(cell) = self.cell.map(|cell| self.name_in(plain(module), cell)) else { return Ok(false) };
         let has_operators = self.border(plain(module), open).is_some_and(|border| border.has_operators());
-        for operators in [Operators::Strict, Operators::Tolerant] {
-            for begins_set in [false, true] {
-                let is_tried =
-                    (has_operators || operators == Operators::Strict) && (!begins_set || cell.contains(REGISTER));
-                let around = Way::Around(Around { cell: &cell, operators, begins_set });
-                if is_tried && self.compare_as(module, open, around)? == Proof::Equivalent {
-                    return Ok(true);
-                }
+        if operators == Operators::Tolerant && !has_operators {
+            return Ok(false);
+        }
+        for begins_set in [false, true] {
+            let around = Way::Around(Around { cell: &cell, operators, begins_set });
+            let is_tried = !begins_set || cell.contains(REGISTER);
+            if is_tried && self.compare_as(module, open, around)? == Proof::Equivalent {
+                return Ok(true);
             }
         }
         Ok(false)

@@ -141,7 +141,9 @@ impl Prover<'_> {
         };
         let known = self.border(plain(module), open).unwrap_or_default().with_ports(&folder.read("ports")?);
         let border = if has_one_reset { known.after_reset() } else { known };
-        Ok(Some(if around.operators == Operators::Strict { border.without_operators() } else { border }))
+        let border = if around.operators == Operators::Strict { border.without_operators() } else { border };
+        let compared = border.with_compared(&folder.read("reached")?);
+        Ok(Some(compared.expect("what yosys lists of a module's outputs is among its ports")))
     }
 }
 

@@ -58,6 +58,11 @@ const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %
 /// Has both versions show their registers but for these and those that are marked as near.
 const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";
 
+/// Lists the outputs that see what is near, or an operator's answer where that may differ: all others depend on the same in both.
+const REACHED: &str = "tee -q -o reached select -list gate/a:near";
+const ANSWERS: &str = " gate/i:*.* %u";
+const OUTPUTS: &str = " %co* gate/o:* %i\n";
+
 /// What a way has yosys do with the mutant.
 #[derive(Default)]
 pub(super) struct Marks {
@@ -73,10 +78,10 @@ impl Way<'_> {
     /// What is marked as near, and shown.
     pub fn marks(self) -> Marks {
         let Self::Around(around) = self else { return Marks::default() };
-        let shown = format!("{CONTROL}{SHOWN}");
+        let shown = |answers: &str| format!("{CONTROL}{SHOWN}{REACHED}{answers}{OUTPUTS}");
         match around.operators {
-            Operators::Strict => Marks { after: around.mark(), shown, ..Marks::default() },
-            Operators::Tolerant => Marks { before: around.mark(), shown, ..Marks::default() },
+            Operators::Strict => Marks { after: around.mark(), shown: shown(""), ..Marks::default() },
+            Operators::Tolerant => Marks { before: around.mark(), shown: shown(ANSWERS), ..Marks::default() },
         }
     }
 }
