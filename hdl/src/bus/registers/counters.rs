@@ -40,9 +40,6 @@ pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: 
     m.next(adds, !adds);
     let visited = m.reg_reset("visited", index_width, 0);
     let looks = m.wire("looks", !adds);
-    if !count.is_power_of_two() {
-        m.assert("a_counter_is_visited", visited.lt_lit(count.into()));
-    }
 
     let (mut parts, mut voids) = (vec![], vec![]);
     for (index, counter) in (0..).zip(counters) {
