@@ -16,7 +16,9 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let hardware = transform::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::transform::UNIT);
         let mut splats = scene::world(&config, SPLATS);
-        scene::spoil(&config, &mut splats, 16, &mut scene::random());
+        let mut random = scene::random();
+        scene::approach(&config, &mut splats, 4, &mut random);
+        scene::spoil(&config, &mut splats, 16, &mut random);
         let model = Transform::new(&config, hardware.manifest.latency);
         let passed: Vec<Splat> = device.run(&model, &splats, &scene::uniforms(&config));
         let passed = passed.len();

@@ -118,6 +118,26 @@ pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rn
     }
 }
 
+/// Moves one splat in `one_in` to where it, or its center, just reaches beyond the near plane, or does not by a hair.
+pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let Uniforms { model_view, near_plane, .. } = registers(config);
+    let number = |bits: u32| f64::from(pointcore::number::decode(config.geometry, bits));
+    let [.., [x, y, z, w]] = model_view.rows.map(|row| row.map(number));
+    let axis = glam::DVec3::new(x, y, z);
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let [first, second] = tangents.map(|tangent| axis.dot(tangent.map(number).into()).abs());
+        let reach = if random.bool() { 2.0 * first.max(second) } else { 0.0 };
+        let hair = (random.f64() - 0.5) * 2_f64.powi(random.i32(-1..7) - config.geometry.mantissa as i32);
+        let at = glam::DVec3::from(center.map(number));
+        let beyond = number(near_plane) - reach + hair - (axis.dot(at) + w);
+        let moved = at + axis * (beyond / axis.length_squared());
+        *center = moved.to_array().map(|number| pointcore::number::encode(config.geometry, number as f32));
+    }
+}
+
 /// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
 pub fn flatten(splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     for Splat { tangents: [first, second], .. } in splats {
