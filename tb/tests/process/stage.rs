@@ -61,7 +61,11 @@ fn few_words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand:
             return 0;
         }
         let word = float::convert(Format::F32, format, (value as f32).to_bits().into());
-        if value > 1.0 { word.wrapping_add_signed(random.i64(-8..8)) } else { word }
+        if value > 1.0 {
+            word.wrapping_add_signed(random.i64(-8..8) << random.u32(..format.mantissa - 8))
+        } else {
+            word
+        }
     };
     fields::<R>(config).into_iter().map(|field| word(&field.name, field.width)).collect()
 }

@@ -36,12 +36,13 @@ pub fn encode(format: Format, number: f32) -> u64 {
     pointcore::number::encode(format, number).into()
 }
 
-/// The uniform registers: a camera that looks at the origin, a little from above.
+/// The uniform registers: a camera that looks at the origin, a little from above and aslant, so that no coordinate is another's alone.
 pub fn registers(config: &Config) -> Uniforms {
-    let (sin, cos) = 0.3_f32.sin_cos();
+    let turn = glam::Mat3::from_euler(glam::EulerRot::YXZ, 0.2, 0.3, 0.1);
+    let at = [0.1, -0.2, 4.0];
     let number = |number| pointcore::number::encode(config.geometry, number);
     let (width, height) = (config.width as f32, config.height as f32);
-    let rows = [[1.0, 0.0, 0.0, 0.1], [0.0, cos, -sin, -0.2], [0.0, sin, cos, 4.0]];
+    let rows = [0, 1, 2].map(|row| turn.row(row).extend(at[row]).to_array());
     let filter_scale = 1.0 / (0.9 * 0.9);
     Uniforms {
         model_view: ModelView { rows: rows.map(|row| row.map(number)) },
