@@ -460,10 +460,14 @@ module bus_reader_v2 (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         a_request_is_for_some_and_no_more_than_any_may_be: assert (~request_valid | (|request_records & ~(3'd4 < request_records)));
+        no_burst_is_longer_than_any_may_be: assert (~length_queue_out_valid | (length_queue_out_data < 8'd16));
         no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
         if (!(~request_valid | (|request_records & ~(3'd4 < request_records)))) begin
             $display("assertion failed: a_request_is_for_some_and_no_more_than_any_may_be in %m"); $stop;
+        end
+        if (!(~length_queue_out_valid | (length_queue_out_data < 8'd16))) begin
+            $display("assertion failed: no_burst_is_longer_than_any_may_be in %m"); $stop;
         end
         if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
             $display("assertion failed: no_burst_is_longer_than_asked_for in %m"); $stop;
@@ -812,10 +816,14 @@ module bus_reader (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         a_request_is_for_some_and_no_more_than_any_may_be: assert (~request_valid | (|request_records & ~(3'd4 < request_records)));
+        no_burst_is_longer_than_any_may_be: assert (~length_queue_out_valid | (length_queue_out_data < 8'd32));
         no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
         if (!(~request_valid | (|request_records & ~(3'd4 < request_records)))) begin
             $display("assertion failed: a_request_is_for_some_and_no_more_than_any_may_be in %m"); $stop;
+        end
+        if (!(~length_queue_out_valid | (length_queue_out_data < 8'd32))) begin
+            $display("assertion failed: no_burst_is_longer_than_any_may_be in %m"); $stop;
         end
         if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
             $display("assertion failed: no_burst_is_longer_than_asked_for in %m"); $stop;

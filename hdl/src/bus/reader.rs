@@ -187,7 +187,13 @@ fn bursts(
         };
         length = m.wire("length", beats.sub_lit(1).trunc(LENGTH_BITS));
         lengths.push(m, &(), issues, Length { length });
-        under_way = UnderWay::Lengths(lengths.out(m, &()));
+        let oldest = lengths.out(m, &());
+        let most = (records_max.min(chunk_records) << record_beats_log2) - 1;
+        if most < (1 << LENGTH_BITS) - 1 {
+            let is_within = oldest.record.length.lt_lit(u128::from(most) + 1);
+            m.assert("no_burst_is_longer_than_any_may_be", !oldest.valid | is_within);
+        }
+        under_way = UnderWay::Lengths(oldest);
     }
     queue.push(m, &stride, issues, Burst { address: address.expr(), length });
     (queue.out(m, &stride), under_way)
