@@ -30,16 +30,17 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let [[v1_x, v1_y, v1_z], [v2_x, v2_y, v2_z]] = tangents;
     let [u_x, u_y, u_z] = center;
     name!(u_x, u_y, u_z, v1_x, v1_y, v1_z, v2_x, v2_y, v2_z);
-    let mut visible = near.lt(center[2]);
-    if config.eye_plane.is_on() {
+    let is_beyond = near.lt(u_z);
+    let visible = if config.has_motion() {
+        // It may come from anywhere: setup knows when it is seen.
+        is_number(&program, format, u_z) & is_number(&program, format, near)
+    } else if config.eye_plane.is_on() {
         // Twice the longer one is more than both tangents together, and exact.
         let longer = v1_z.abs().max(v2_z.abs());
-        visible = visible | near.lt(u_z + twice(&program, format, longer));
-    }
-    if config.has_motion() {
-        // It may come from there: setup knows when it is seen.
-        visible = visible | u_z.le(near);
-    }
+        is_beyond | near.lt(u_z + twice(&program, format, longer))
+    } else {
+        is_beyond
+    };
     program.keep_if(splat.end | visible);
 
     let mut attributes = splat.attributes;
@@ -54,6 +55,14 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     };
     Splat { end: splat.end, center, tangents, motion, attributes }.outputs(&program, config);
     datapath::unit(&units::transform::UNIT, config, &program, &options.with_interval(config.transform_interval))
+}
+
+/// Whether it is a number, or infinite.
+fn is_number(program: &Program, format: Format, number: Value) -> Value {
+    let (bits, mantissa) = (format.exponent, format.mantissa);
+    let exponent = number.bits(bits + mantissa - 1, mantissa);
+    let fraction = number.bits(mantissa - 1, 0);
+    !exponent.eq(program.lit(bits, format.exponent_max())) | fraction.eq(program.lit(mantissa, 0))
 }
 
 /// Twice a magnitude, by its exponent: zero of a subnormal one.

@@ -52,7 +52,7 @@ pub fn registers(config: &Config) -> Uniforms {
             depth_a: number(10.0 / 9.0),
             depth_b: number(-10.0 / 9.0),
         },
-        near_plane: number(1.0),
+        near_plane: number(1.07),
         epsilon: EpsilonScale { scale: number(0.7), bias: number(0.02) },
         filter_radius: number(0.9),
         filter_scale: pointcore::number::encode_uniform(config.filter_scale_format(), filter_scale),
@@ -131,7 +131,7 @@ pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut
         }
         let [first, second] = tangents.map(|tangent| axis.dot(tangent.map(number).into()).abs());
         let reach = if random.bool() { 2.0 * first.max(second) } else { 0.0 };
-        let hair = (random.f64() - 0.5) * 2_f64.powi(random.i32(-1..7) - config.geometry.mantissa as i32);
+        let hair = (random.f64() - 0.5) * 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32));
         let at = glam::DVec3::from(center.map(number));
         let beyond = number(near_plane) - reach + hair - (axis.dot(at) + w);
         let moved = at + axis * (beyond / axis.length_squared());
