@@ -27,8 +27,11 @@ const LARGEST_MEMORY_BITS: u32 = 2048;
 /// What the names of floating-point operators begin with.
 const OPERATORS: &str = "float_";
 
-/// With more text than this a module is a whole core: the prover comes to no end with it.
+/// With more text than this, but for operators', a module is a whole core: the prover comes to no end with it.
 const LARGEST_BYTES: usize = 120_000;
+
+/// With more text than this, a module in it is a datapath of its own: it stays out where the fault is elsewhere.
+const LARGEST_INNER_BYTES: usize = 50_000;
 
 /// What became of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,11 +109,14 @@ impl Prover<'_> {
         let inside = modules.inside(name);
         let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
         let mutated: BTreeSet<&str> = mutated.map(|inner| inner.of).collect();
-        let within = modules.within(name, is_core);
-        let hard = within.iter().flat_map(|module| modules.inside(module)).filter(is_hard);
+        let is_far = |module: &str| !modules.within(module, is_core).contains(&self.mutated);
+        let is_large_inside = |module: &str| modules.bytes(&[module]) > LARGEST_INNER_BYTES && is_far(module);
+        let stays_out = |module: &str| is_core(module) || module.starts_with(OPERATORS) || is_large_inside(module);
+        let within = modules.within(name, stays_out);
+        let placed = within.iter().flat_map(|module| modules.inside(module));
+        let out = placed.filter(|inner| is_hard(inner) || stays_out(inner.of)).map(|inner| inner.of);
+        let whole = out.filter(|inner| *inner != self.mutated).collect();
         let inside: Vec<&str> = inside.iter().map(|inner| inner.of).collect();
-        let cores = inside.iter().copied().filter(|inner| is_core(inner));
-        let whole = cores.chain(hard.map(|inner| inner.of)).filter(|inner| *inner != self.mutated).collect();
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
         let is_large = |within: &[&str]| modules.bytes(within) > LARGEST_BYTES;
