@@ -30,16 +30,17 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let [[v1_x, v1_y, v1_z], [v2_x, v2_y, v2_z]] = tangents;
     let [u_x, u_y, u_z] = center;
     name!(u_x, u_y, u_z, v1_x, v1_y, v1_z, v2_x, v2_y, v2_z);
-    let is_beyond = near.lt(u_z);
     let visible = if config.has_motion() {
         // It may come from anywhere: setup knows when it is seen.
         is_number(&program, format, u_z) & is_number(&program, format, near)
-    } else if config.eye_plane.is_on() {
-        // Twice the longer one is more than both tangents together, and exact.
-        let longer = v1_z.abs().max(v2_z.abs());
-        is_beyond | near.lt(u_z + twice(&program, format, longer))
     } else {
-        is_beyond
+        let mut visible = near.lt(u_z);
+        if config.eye_plane.is_on() {
+            // Twice the longer one is more than both tangents together, and exact.
+            let longer = v1_z.abs().max(v2_z.abs());
+            visible = visible | near.lt(u_z + twice(&program, format, longer));
+        }
+        visible
     };
     program.keep_if(splat.end | visible);
 
@@ -57,19 +58,23 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     datapath::unit(&units::transform::UNIT, config, &program, &options.with_interval(config.transform_interval))
 }
 
+/// The sign, the exponent and the fraction of a number.
+fn parts(format: Format, number: Value) -> [Value; 3] {
+    let Format { exponent, mantissa, .. } = format;
+    let sign = exponent + mantissa;
+    [number.bits(sign, sign), number.bits(sign - 1, mantissa), number.bits(mantissa - 1, 0)]
+}
+
 /// Whether it is a number, or infinite.
 fn is_number(program: &Program, format: Format, number: Value) -> Value {
-    let (bits, mantissa) = (format.exponent, format.mantissa);
-    let exponent = number.bits(bits + mantissa - 1, mantissa);
-    let fraction = number.bits(mantissa - 1, 0);
-    !exponent.eq(program.lit(bits, format.exponent_max())) | fraction.eq(program.lit(mantissa, 0))
+    let [_, exponent, fraction] = parts(format, number);
+    !exponent.eq(program.lit(format.exponent, format.exponent_max())) | fraction.eq(program.lit(format.mantissa, 0))
 }
 
 /// Twice a magnitude, by its exponent: zero of a subnormal one.
 fn twice(program: &Program, format: Format, magnitude: Value) -> Value {
     let (bits, mantissa) = (format.exponent, format.mantissa);
-    let exponent = magnitude.bits(bits + mantissa - 1, mantissa);
-    let fraction = magnitude.bits(mantissa - 1, 0);
+    let [_, exponent, fraction] = parts(format, magnitude);
     let is = |value: u64| exponent.eq(program.lit(bits, value));
     let largest = format.exponent_max();
     let raised = is(largest).mux(exponent, exponent + program.lit(bits, 1));
@@ -80,11 +85,7 @@ fn twice(program: &Program, format: Format, magnitude: Value) -> Value {
 
 /// A number as it is, the largest of its sign instead of an infinity, zero instead of a NaN.
 fn finite(program: &Program, format: Format, number: Value) -> Value {
-    let [sign, exponent, fraction] = [
-        number.bits(format.width() - 1, format.width() - 1),
-        number.bits(format.width() - 2, format.mantissa),
-        number.bits(format.mantissa - 1, 0),
-    ];
+    let [sign, exponent, fraction] = parts(format, number);
     let special = exponent.eq(program.lit(format.exponent, format.exponent_max()));
     let infinite = fraction.eq(program.lit(format.mantissa, 0));
     let largest = sign.cat(program.lit(format.width() - 1, format.infinity() - 1));
