@@ -188,9 +188,9 @@ fn bursts(
         length = m.wire("length", beats.sub_lit(1).trunc(LENGTH_BITS));
         lengths.push(m, &(), issues, Length { length });
         let oldest = lengths.out(m, &());
-        let most = (records_max.min(chunk_records) << record_beats_log2) - 1;
-        if most < (1 << LENGTH_BITS) - 1 {
-            let is_within = oldest.record.length.lt_lit(u128::from(most) + 1);
+        let beats_max = records_max.min(chunk_records) << record_beats_log2;
+        if beats_max < 1 << LENGTH_BITS {
+            let is_within = oldest.record.length.lt_lit(beats_max.into());
             m.assert("no_burst_is_longer_than_any_may_be", !oldest.valid | is_within);
         }
         under_way = UnderWay::Lengths(oldest);
