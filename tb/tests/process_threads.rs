@@ -4,7 +4,6 @@
 
 use std::cell::RefCell;
 
-use fastrand::Rng;
 use pointcore_contract::process::records::Sums;
 use pointcore_contract::process::{Config, PARTIAL_SUMS, Scalar, Section, stages};
 use pointcore_golden::process::{Blocks, Latencies, Threads};
@@ -17,16 +16,13 @@ use crate::process::stage;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
 
-/// The kernel as what it computes: a thread's partial sums, or some that no neighbors have.
+/// The kernel as what it computes: a thread's partial sums.
 #[derive(Clone)]
 struct Kernel {
     blocks: Blocks,
     types: Vec<Scalar>,
     /// The settings that it reads.
     settings: Vec<u32>,
-    /// What sums are of.
-    config: Config,
-    is_wild: bool,
     /// Whose sums these are, and how many neighbors are in them.
     thread: Option<u64>,
     neighbors: usize,
@@ -35,7 +31,7 @@ struct Kernel {
 
 impl Kernel {
     /// Takes a neighbor; returns the sums after the last one.
-    fn take(&mut self, random: &mut Rng, fields: &[u64]) -> Option<Vec<u64>> {
+    fn take(&mut self, fields: &[u64]) -> Option<Vec<u64>> {
         let &[thread, none, last, ref words @ ..] = fields else { panic!("`kernel` takes three fields at least") };
         if self.thread.is_none() {
             (self.thread, self.neighbors) = (Some(thread), 0);
@@ -53,13 +49,7 @@ impl Kernel {
         }
         (last == 1).then(|| {
             self.thread = None;
-            let partial = self.partial.iter().flatten().map(|&word| word.into());
-            let mut sums: Vec<u64> = std::iter::once(thread).chain(partial).collect();
-            if self.is_wild {
-                sums = stage::words::<Sums>(&self.config, random);
-                sums[0] = thread;
-            }
-            sums
+            std::iter::once(thread).chain(self.partial.iter().flatten().map(|&word| word.into())).collect()
         })
     }
 }
@@ -75,15 +65,12 @@ struct Surroundings {
 impl Surroundings {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
         let mut queries = Queries::begin(config, feeds);
-        let is_wild = feeds.random.bool();
-        queries.are_expected = !is_wild;
+        queries.are_expected = feeds.random.bool();
         let read = config.settings_read_by(Section::Kernel).into_iter();
         let kernel = Kernel {
             blocks: Blocks::new((*config.program).clone(), config.format),
             types: config.program.sums.words().into_iter().map(|word| word.ty).collect(),
             settings: read.map(|place| queries.settings[place]).collect(),
-            config: config.clone(),
-            is_wild,
             thread: None,
             neighbors: 0,
             partial: vec![],
@@ -109,7 +96,11 @@ impl Rule for Surroundings {
                 feeds.feed("gathered", [thread, farthest, none, last].into_iter().chain(words).collect());
             }
             "kernel" => {
-                if let Some(sums) = self.kernel.take(&mut feeds.random, fields) {
+                if let Some(mut sums) = self.kernel.take(fields) {
+                    if !self.queries.are_expected {
+                        sums = stage::words::<Sums>(&self.config, &mut feeds.random);
+                        sums[0] = fields[0];
+                    }
                     feeds.feed("sums", sums);
                 }
             }

@@ -20,10 +20,6 @@ use crate::support;
 /// Splats and ends of several frames.
 const RECORDS: usize = 400;
 
-fn frames(config: &Config, count: usize) -> EncodedFrame {
-    EncodedFrame { records: scene::world(config, count), uniforms: scene::registers(config), depths: None }
-}
-
 fn run(
     config: &Config,
     frame: &EncodedFrame,
@@ -71,7 +67,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     all.into_par_iter().for_each(|config| {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));
-        let mut frame = frames(&config, RECORDS);
+        let mut frame = scene::frames(&config, RECORDS);
         let mut expected: Option<Vec<Fragment>> = None;
         for seed in seeds(RUNS).unwrap() {
             let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
@@ -112,7 +108,7 @@ fn fragments_leave_that_are_nearer_than_what_is_in_memory() {
         let library = support::build(&VerilogSource::from(&core.design));
         let low_bits = MERGED_DEPTH_BITS - config.geometry.width();
         // One frame: those that follow are tested against the depths of those before.
-        let mut frame = frames(&config, RECORDS);
+        let mut frame = scene::frames(&config, RECORDS);
         let end = frame.records.iter().position(|record| record.end).expect("there is a frame");
         frame.records.truncate(end + 1);
         let core_alone = SplatCore::generate(&alone).unwrap_or_else(|error| panic!("{error}"));

@@ -1,6 +1,6 @@
 //! A fault planted in one unit of a renderer, as the harness reports it.
 
-use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
+use pointcore::splat::{SplatCore, SplatRunner};
 use pointcore_tb::lockstep::{Cause, LockstepError, Stall, Waveform, inject, seed};
 use pointcore_tb::verilated::VerilogSource;
 
@@ -17,8 +17,7 @@ fn a_fault_in_a_unit_is_reported_with_cycle_and_port() {
     let mut source = VerilogSource::from(&core.design);
     source.verilog = inject(&source.verilog, "depth_sum_4 <= stored", "+", "-").unwrap();
     let broken = support::build(&source);
-    let frame =
-        EncodedFrame { records: scene::world(&config, RECORDS), uniforms: scene::registers(&config), depths: None };
+    let frame = scene::frames(&config, RECORDS);
     let runner = SplatRunner { stall: Stall::Random(0.2), seed: seed().unwrap(), ..SplatRunner::new(&config, &frame) };
     let outcome = runner.lockstep(&core, &broken);
     let Err(LockstepError::Failed(failure)) = outcome else { panic!("the accumulator subtracts depths unnoticed") };

@@ -75,7 +75,7 @@ pub fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand:
     if random.u8(..4) == 0 { few_words::<R>(config, random) } else { any_words::<R>(config, random) }
 }
 
-/// A block's hardware against its model, with the `QUERIES` that pass through it.
+/// Compares a block with its model.
 pub fn agree<M, I, S>(config: &Config, unit: &Unit<Config>, (datapath, model): (Datapath, M))
 where
     M: Model<Config = Config> + 'static,

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 use pointcore::number::{decode, encode_attribute};
-use pointcore::splat::END;
+use pointcore::splat::{END, EncodedFrame};
 use pointcore::stimuli::motion::motion;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
@@ -156,6 +156,11 @@ pub fn world(config: &Config, count: usize) -> Vec<Splat> {
         if index % FRAME == FRAME - 1 || index == count - 1 { END } else { splat(config, &mut random) }
     };
     (0..count).map(record).collect()
+}
+
+/// Frames of splats in world space.
+pub fn frames(config: &Config, count: usize) -> EncodedFrame {
+    EncodedFrame { records: world(config, count), uniforms: registers(config), depths: None }
 }
 
 /// Splats in camera space.
