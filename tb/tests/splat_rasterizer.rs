@@ -8,14 +8,17 @@ use pointcore_hdl::splat::rasterizer;
 
 use crate::splat::{Device, configs, integer_configs, knobs, moving_configs, scene};
 
-const SPLATS: usize = 700;
+const SPLATS: usize = 1500;
 
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(knobs()).chain(integer_configs()).chain(moving_configs()) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::rasterizer::UNIT);
-        let copies = scene::complete_copies(&config, SPLATS);
+        let mut random = scene::random();
+        let copies = scene::touch(&config, &scene::copies(&config, SPLATS), 3, &mut random);
+        let mut copies = scene::complete_copies(&config, copies, &mut random);
+        scene::scatter(&config, &mut copies, 4, &mut random);
         let (latency, uniforms) = (hardware.manifest.latency, scene::uniforms(&config));
         let samples: Vec<Sample> = if config.has_motion() {
             device.run(&MotionRasterizer::new(&config, latency), &copies, &uniforms)

@@ -1,5 +1,7 @@
 //! Random splats of all kinds, on every unit's input.
 
+use std::iter::repeat_with;
+
 use fastrand::Rng;
 use pointcore::number::{decode, encode_attribute};
 use pointcore::splat::{END, EncodedFrame};
@@ -8,10 +10,11 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
     Attributes, Band, CompleteCopy, DepthPlane, EpsilonScale, Footprint, ModelView, Moving, MovingFootprint, Sample,
-    SetupSplat, Shutter, Sight, Splat, SplatCopy, Uniforms, Viewport,
+    SetupSplat, Shutter, Sight, Splat, SplatCopy, TileDiagonals, TileRectangle, Uniforms, Viewport,
 };
 use pointcore_contract::splat::units::{motion_setup, rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
+use pointcore_golden::splat::rasterizer::columns;
 use pointcore_golden::splat::{MotionRasterizer, MotionSetup, Rasterizer, Setup, Splitter, Transform};
 use pointcore_tb::lockstep::seed;
 
@@ -270,24 +273,48 @@ fn moving_and_touching(config: &Config, moving: Moving, random: &mut Rng) -> Mov
 }
 
 /// Copies with slots and payloads.
-pub fn complete_copies(config: &Config, count: usize) -> Vec<CompleteCopy> {
-    let mut random = random();
-    let copies = copies(config, count).into_iter().filter(|copy| !copy.end);
+pub fn complete_copies(config: &Config, copies: Vec<SplatCopy>, random: &mut Rng) -> Vec<CompleteCopy> {
     let place = |copy| {
         let SplatCopy { footprint, moving, attributes, bounds, diagonals, tile, .. } = copy;
         let slot = random.u8(0..config.tile_slots as u8);
         CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot }
     };
-    copies.map(place).collect()
+    copies.into_iter().filter(|copy| !copy.end).map(place).collect()
+}
+
+/// Gives one copy in `one_in` edges that are anything, none of its rows without a sample, and one in as many a tile that is.
+pub fn scatter(config: &Config, copies: &mut [CompleteCopy], one_in: u32, random: &mut Rng) {
+    let per_pixel = config.sampling.columns();
+    for copy in copies {
+        if random.u32(0..one_in) == 0 {
+            let edges = || {
+                let CompleteCopy { mut bounds, diagonals, .. } = noise(config, random);
+                // Whole pixels.
+                bounds.left &= !(per_pixel as u16 - 1);
+                bounds.right |= per_pixel as u16 - 1;
+                (bounds, diagonals)
+            };
+            let has_samples = |(bounds, diagonals): &(TileRectangle, TileDiagonals)| {
+                let mut rows = bounds.top..=bounds.bottom;
+                !rows.is_empty() && rows.all(|row| !columns(per_pixel, bounds, diagonals, row).is_empty())
+            };
+            let edges = repeat_with(edges).find(has_samples).expect("noise does not end");
+            (copy.bounds, copy.diagonals) = edges;
+        }
+        if random.u32(0..one_in) == 0 {
+            copy.tile = noise::<CompleteCopy>(config, random).tile;
+        }
+    }
 }
 
 /// Samples of splats.
 pub fn samples(config: &Config, count: usize) -> Vec<Sample> {
     let Uniforms { filter_scale, viewport: Viewport { depth_a, .. }, .. } = registers(config);
+    let copies = complete_copies(config, copies(config, count), &mut random());
     let see = |input| rasterizer::In { input, out_ready: true, filter_scale, depth_a };
     if config.has_motion() {
         let shown = |shown: rasterizer::Out| (shown.in_ready, shown.out);
-        return through(MotionRasterizer::new(config, 1), &complete_copies(config, count), see, shown);
+        return through(MotionRasterizer::new(config, 1), &copies, see, shown);
     }
-    through(Rasterizer::new(config, 1), &complete_copies(config, count), see, |shown| (shown.in_ready, shown.out))
+    through(Rasterizer::new(config, 1), &copies, see, |shown| (shown.in_ready, shown.out))
 }
