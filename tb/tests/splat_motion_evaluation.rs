@@ -3,16 +3,48 @@
 use pointcore::stimuli::motion::{Family, camera, moved, rendering};
 use pointcore_contract::splat::records::{MovingPlace, MovingSample};
 use pointcore_contract::splat::{Config, Feature, units};
-use pointcore_golden::reference::motion::MovingFootprint;
+use pointcore_golden::reference::motion::{Interval, MovingFootprint, Place};
 use pointcore_golden::splat::MotionEvaluation;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::motion_evaluation;
 
 use crate::splat::{Device, moving_configs, scene};
 
-const PLACES: usize = 1500;
+const PLACES: usize = 2500;
 
-/// Samples of moving splats of every family, and some whose fields are noise: numbers of every size, infinities, no numbers.
+/// Speeds below which a splat counts as still, and as a narrow one of a bin, in kernel radii a unit of `τ`.
+fn speeds(config: &Config) -> [f64; 2] {
+    [2_f64.powi(-30), f64::from(config.time_bins) / 32.0]
+}
+
+/// A footprint of which a number is compared at a sample with one that hardly differs: by one of its digits, or none.
+fn touching(config: &Config, footprint: &MovingFootprint, place: &Place, random: &mut fastrand::Rng) -> MovingFootprint {
+    let digit = 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32 + 2));
+    let hair = 1.0 + digit * f64::from(random.i8(-1..=1));
+    let (mut touching, met) = (footprint.clone(), footprint.meet(place));
+    let [at, speed] = [met.place, met.speed].map(glam::DVec2::from);
+    let whole = Interval { begin: -4.0, end: 4.0 };
+    let covered = met.squared_distance(footprint.time).within_kernel(whole).unwrap_or(footprint.life);
+    let time = hair * if random.bool() { covered.begin } else { covered.end };
+    let [.., offset] = footprint.planes;
+    match random.u8(0..6) {
+        0 => {
+            let by = hair * speeds(config)[random.usize(0..2)] / speed.length();
+            touching.speed = touching.speed.map(|form| form.map(|number| by * number));
+        }
+        1 => {
+            let by = hair / at.perp_dot(speed.normalize_or(glam::DVec2::X)).abs();
+            touching.place = touching.place.map(|form| form.map(|number| by * number));
+        }
+        2 => touching.life.begin = time,
+        3 => touching.life.end = time,
+        4 => touching.planes[0] = (time + offset) / met.determinant,
+        _ => touching.planes[1] = (time + offset) / met.determinant,
+    }
+    touching
+}
+
+/// Samples of moving splats of every family, some that touch what they are compared with, and some whose fields are noise: numbers of every size, infinities, no numbers.
 fn places(config: &Config) -> Vec<MovingPlace> {
     let mut random = scene::random();
     let (camera, rendering) = (camera(config), rendering(config));
@@ -21,7 +53,10 @@ fn places(config: &Config) -> Vec<MovingPlace> {
         .cycle()
         .filter_map(|family| {
             let moved = moved(&mut random, family, config);
-            let footprint = MovingFootprint::new(&moved.splat, &camera, &rendering).ok()?.encoded(config.geometry);
+            let whole = MovingFootprint::new(&moved.splat, &camera, &rendering).ok()?;
+            let touches = random.u8(0..3) == 0;
+            let footprint = if touches { touching(config, &whole, &moved.place, &mut random) } else { whole };
+            let footprint = footprint.encoded(config.geometry);
             let (last, slot) = (random.u8(0..8) == 0, random.u8(0..config.tile_slots as u8));
             let (column, row) = (moved.place.column as u16, moved.place.row as u16);
             let bin = (moved.splat.part.middle() + 1.0) * 0.5 * f64::from(config.time_bins);
