@@ -17,6 +17,7 @@ use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::bus::searched::{LINES_BASE, MEMORY_BYTES, put_points, put_tree, tree_words};
 use crate::points::{Asked, World, cores};
 use crate::search::word;
+use crate::support::cases;
 
 /// A host of the point processor.
 type PointsHost = Host<Query, Outcome>;
@@ -114,7 +115,7 @@ fn configs() -> [Config; 3] {
 
 #[test]
 fn what_leaves_on_the_bus_is_what_the_interpreter_says() {
-    for config in configs() {
+    for config in cases(configs()) {
         let mut compared = 0;
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
@@ -162,7 +163,7 @@ fn what_no_search_can_be_asked_for_is_refused() {
 
 #[test]
 fn an_aborted_run_leaves_nothing_behind() {
-    for config in configs() {
+    for config in cases(configs()) {
         let mut random = fastrand::Rng::with_seed(3);
         let world = World::random(&config, &mut random);
         let mut host = host(&world, 3);

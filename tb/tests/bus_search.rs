@@ -14,6 +14,7 @@ use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::bus::searched::{MEMORY_BYTES, put_points, put_tree, tree_words};
 use crate::search::tree::Tree;
 use crate::search::{query, word};
+use crate::support::cases;
 
 /// A host of the search core.
 type SearchHost = Host<CachedQuery, CachedResult>;
@@ -158,7 +159,7 @@ fn configs() -> [Config; 4] {
 
 #[test]
 fn an_aborted_run_leaves_nothing_behind() {
-    for config in configs() {
+    for config in cases(configs()) {
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
             let tree = Tree::random(&config, &mut random);
@@ -176,7 +177,7 @@ fn an_aborted_run_leaves_nothing_behind() {
 /// A run ends by itself about the moment in which it is aborted: what begins next, as soon as it may, is whole.
 #[test]
 fn an_abort_may_come_with_the_end_of_a_run() {
-    for config in configs() {
+    for config in cases(configs()) {
         let mut random = fastrand::Rng::with_seed(1);
         let tree = Tree::random(&config, &mut random);
         let mut host = host(&config, &tree, 1);
@@ -202,7 +203,7 @@ fn an_abort_may_come_with_the_end_of_a_run() {
 /// Every leaf lacks its beats: each is read as one of one beat, and counted.
 #[test]
 fn leaves_without_beats_end_a_run_and_are_counted() {
-    for config in configs() {
+    for config in cases(configs()) {
         let mut random = fastrand::Rng::with_seed(1);
         let tree = Tree::random(&config, &mut random);
         let mut host = host(&config, &tree, 1);
@@ -224,7 +225,7 @@ fn leaves_without_beats_end_a_run_and_are_counted() {
 
 #[test]
 fn neighbors_on_the_bus_equal_brute_force() {
-    for config in configs() {
+    for config in cases(configs()) {
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
             let tree = Tree::random(&config, &mut random);

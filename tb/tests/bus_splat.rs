@@ -14,6 +14,7 @@ use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Bases, Host, MemoryOrder, RESET, around_renderer, place};
 use crate::splat::{configs, fixed_configs, scene, in_order};
+use crate::support::cases;
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 250;
@@ -162,7 +163,7 @@ fn frames_on_the_bus_are_those_of_the_model() {
     let [bare, ..] = configs();
     let payload = PayloadStore::Memory;
     let several = Config { rasterizers: 4, memory_ports: 4, payload, payload_beats: 3, merge: Feature::On, ..bare };
-    for (config, (stream_bits, memory_bits)) in configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths) {
+    for (config, (stream_bits, memory_bits)) in cases(configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths)) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frames = frames(&config);
         let all = reconstructed(&config, &frames);

@@ -19,6 +19,7 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
 use crate::search::{all, lockstep, word};
+use crate::support::cases;
 
 const QUERIES: u64 = 24;
 /// Cycles that a line of points takes at most.
@@ -171,7 +172,7 @@ fn build(config: &Config) -> (Core, Top) {
 #[test]
 fn queries_leave_as_brute_force_and_the_interpreter_say() {
     let reused = Cell::new(0);
-    for config in cores() {
+    for config in cases(cores()) {
         let (core, model) = build(&config);
         let [compared, anew] = [Cell::new(0), Cell::new(0)];
         let begin = |feeds: &mut Feeds| Host::begin(&config, feeds);

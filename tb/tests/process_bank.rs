@@ -9,6 +9,7 @@ use pointcore_hdl::process::bank;
 use crate::process::scene::{configs, item};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 const ITERATIONS: u64 = 400;
 
@@ -86,7 +87,7 @@ impl Rule for Threads {
 
 #[test]
 fn words_are_read_as_they_were_written() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             let mut threads = Threads { config: config.clone(), left: ITERATIONS };
             (0..config.threads.into()).for_each(|thread| threads.begin(feeds, thread));

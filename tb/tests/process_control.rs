@@ -8,6 +8,7 @@ use pointcore_hdl::process::control;
 use crate::process::scene::{configs, field, item, number};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 const QUERIES: u64 = 300;
 
@@ -102,7 +103,7 @@ impl Rule for Surroundings {
 
 #[test]
 fn every_query_meets_its_neighbors_in_order_as_in_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let (module, model) = (control::module(&config), Control::new(&config));
         let begin = |feeds: &mut Feeds| Surroundings::begin(&config, feeds);
         lockstep(&config, &module, &model, &stages::control::UNIT, begin, all, |surroundings, report| {

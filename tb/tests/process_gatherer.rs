@@ -11,6 +11,7 @@ use pointcore_hdl::process::gatherer;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 const NEIGHBORS: u32 = 1500;
 /// Runs, between which the points change.
@@ -104,7 +105,7 @@ impl Rule for Wanted {
 
 #[test]
 fn neighbors_come_in_their_order_as_in_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             let indices = 1 << config.index_bits;
             let mut wanted =

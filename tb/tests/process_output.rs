@@ -8,6 +8,7 @@ use pointcore_hdl::process::output;
 use crate::process::scene::{configs, field, item, place};
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 const QUERIES: u64 = 200;
 /// Iterations after which queries of a run are capped.
@@ -99,7 +100,7 @@ impl Rule for Patient {
 
 #[test]
 fn queries_leave_when_they_are_done_or_capped() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             let iterations_max = ITERATIONS_MAX[feeds.random.usize(..ITERATIONS_MAX.len())];
             Queries::begin(&config, feeds, QUERIES, iterations_max)
@@ -116,7 +117,7 @@ fn queries_leave_when_they_are_done_or_capped() {
 
 #[test]
 fn a_query_iterates_as_often_as_a_count_has_bits() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| Patient(Queries::begin(&config, feeds, 1, MANY));
         let (module, model) = (output::module(&config), Output::new(&config));
         lockstep(&config, &module, &model, &stages::output::UNIT, begin, all, |Patient(queries), _| {

@@ -15,6 +15,7 @@ use crate::process::scene::every_program;
 use crate::process::stage;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 /// The kernel as what it computes: a thread's partial sums.
 #[derive(Clone)]
@@ -111,7 +112,7 @@ impl Rule for Surroundings {
 
 #[test]
 fn queries_of_every_program_leave_as_the_interpreter_says() {
-    for config in every_program() {
+    for config in cases(every_program()) {
         let core = threads::core(&config, &Options::default());
         let Core { module, manifests } = core.unwrap_or_else(|error| panic!("{error}"));
         let latency = |block: &str| manifests.get(block).map(|manifest| manifest.latency);

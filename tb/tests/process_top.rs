@@ -12,6 +12,7 @@ use crate::process::cloud::{BLOCK_CYCLES, QUERIES, Queries, Seen};
 use crate::process::scene::every_program;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 /// Cycles that the memory takes at most.
 const MEMORY_CYCLES: u32 = 40;
@@ -45,7 +46,7 @@ impl Rule for Surroundings {
 
 #[test]
 fn queries_of_every_program_leave_as_the_interpreter_says() {
-    for config in every_program() {
+    for config in cases(every_program()) {
         let Core { module, manifests } =
             top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let latencies = Latencies {

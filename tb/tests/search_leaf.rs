@@ -8,6 +8,7 @@ use pointcore_hdl::search::leaf;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::tree::Tree;
 use crate::search::{all, configs, lockstep, start};
+use crate::support::cases;
 
 const LEAVES: u64 = 600;
 /// Leaves that a thread visits at once, at most: enough for the beats of a few threads to fill the unit.
@@ -87,7 +88,7 @@ impl Rule for Visits {
 fn leaves_agree_with_the_model() {
     let [one, few, ..] = configs();
     let without_table = [one, few].map(|config| Config { tree_cache: 16, ..config });
-    for config in configs().into_iter().chain(without_table) {
+    for config in cases(configs().into_iter().chain(without_table)) {
         let unit = leaf::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::fine(&config, &mut feeds.random);

@@ -14,6 +14,7 @@ use crate::search::neighborhoods::{
     INDEX_BITS, Mode, Neighbor, PHASES, Point, QUERIES, Query, Surroundings, distance2, nearest, place,
 };
 use crate::search::{all, lockstep};
+use crate::support::cases;
 
 fn indices<'a>(neighbors: impl IntoIterator<Item = &'a Neighbor>) -> BTreeSet<u64> {
     neighbors.into_iter().map(|(index, _)| *index).collect()
@@ -82,7 +83,7 @@ fn configs() -> [Config; 4] {
 #[test]
 fn neighborhoods_agree_with_the_model_and_with_brute_force() {
     let seen = RefCell::new(Seen::default());
-    for config in configs() {
+    for config in cases(configs()) {
         let unit = neighbor_cache::unit(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let model =
             NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });

@@ -7,6 +7,7 @@ use pointcore_hdl::search::point_cache;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::{all, configs, lockstep};
+use crate::support::cases;
 
 const REQUESTS: u64 = 400;
 const LEAVES: u64 = 96;
@@ -95,7 +96,7 @@ impl Rule for Requests {
 
 #[test]
 fn leaves_are_kept_and_replaced_as_in_the_model() {
-    for (config, point_cache) in configs().into_iter().zip([2, 64, 8, 4]) {
+    for (config, point_cache) in cases(configs().into_iter().zip([2, 64, 8, 4])) {
         let config = Config { point_cache, ..config };
         let begin = |feeds: &mut Feeds| {
             // Over all of memory, so that every slot has some.

@@ -6,6 +6,7 @@ use pointcore_hdl::search::queue;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, number, start, word};
+use crate::support::cases;
 
 const QUERIES: u64 = 250;
 /// Numbers have more bits than that; what is above is for show.
@@ -86,7 +87,7 @@ impl Rule for Searches {
 
 #[test]
 fn queues_agree_with_the_model_and_with_sorting() {
-    for config in configs() {
+    for config in cases(configs()) {
         let threads = config.threads;
         let begin = |feeds: &mut Feeds| {
             let nothing = vec![vec![]; QUERIES as usize];

@@ -6,6 +6,7 @@ use pointcore_hdl::search::recursion;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, radius2, start, word};
+use crate::support::cases;
 
 const PATHS: u64 = 2000;
 /// Threads that pop without order.
@@ -70,7 +71,7 @@ impl Rule for Surroundings {
 
 #[test]
 fn recursion_agrees_with_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let threads = config.threads as usize;
         let begin = |feeds: &mut Feeds| {
             let mut surroundings = Surroundings {
@@ -138,7 +139,7 @@ impl Rule for Disorder {
 
 #[test]
 fn recursion_agrees_with_the_model_when_nothing_follows_from_anything() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             for thread in 0..config.threads {
                 let start = start(&config, thread.into(), 0, &mut feeds.random);

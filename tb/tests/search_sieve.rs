@@ -8,6 +8,7 @@ use pointcore_hdl::search::sieve;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, number, radius2, start, word};
+use crate::support::cases;
 
 const LEAVES: u64 = 1500;
 
@@ -108,7 +109,7 @@ impl Rule for Searches {
 
 #[test]
 fn beats_without_a_near_point_are_taken_out_as_in_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             let mut searches = Searches {
                 config: config.clone(),
@@ -169,7 +170,7 @@ impl Rule for Disorder {
 
 #[test]
 fn the_sieve_agrees_with_the_model_when_nothing_follows_from_anything() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             for thread in 0..config.threads {
                 let start = start(&config, thread.into(), 0, &mut feeds.random);

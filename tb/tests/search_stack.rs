@@ -6,6 +6,7 @@ use pointcore_hdl::search::stack;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{configs, lockstep};
+use crate::support::cases;
 
 const BATCHES: u32 = 80;
 
@@ -82,7 +83,7 @@ fn top_of_nothing(outputs: &mut [u64]) {
 
 #[test]
 fn stacks_agree_with_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let threads = config.threads as usize;
         let begin = |feeds: &mut Feeds| {
             let zeros = vec![0; threads];

@@ -6,6 +6,7 @@ use pointcore_hdl::search::threads;
 
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, lockstep, query};
+use crate::support::cases;
 
 const QUERIES: u64 = 600;
 /// Pulses without order.
@@ -34,7 +35,7 @@ impl Rule for Searches {
 
 #[test]
 fn threads_agree_with_the_model_until_every_query_is_finished() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             for number in 0..QUERIES {
                 let query = query(&config, number, &mut feeds.random);
@@ -129,7 +130,7 @@ impl Rule for Disorder {
 
 #[test]
 fn threads_agree_with_the_model_when_pulses_come_without_order() {
-    for config in configs() {
+    for config in cases(configs()) {
         let begin = |feeds: &mut Feeds| {
             for number in 0..QUERIES {
                 let query = query(&config, number, &mut feeds.random);

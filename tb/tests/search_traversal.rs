@@ -9,6 +9,7 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
 use crate::search::{all, configs, lockstep, start};
+use crate::support::cases;
 
 const DESCENTS: u64 = 400;
 
@@ -80,7 +81,7 @@ impl Rule for Threads {
 fn descents_agree_with_the_model_and_visit_every_leaf() {
     let [.., many, wide] = configs();
     let without_nodes = [many, wide].map(|config| Config { tree_cache: 16, ..config });
-    for config in configs().into_iter().chain(without_nodes) {
+    for config in cases(configs().into_iter().chain(without_nodes)) {
         let unit = traversal::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::fine(&config, &mut feeds.random);

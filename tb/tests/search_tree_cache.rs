@@ -9,6 +9,7 @@ use pointcore_hdl::search::tree_cache;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::{all, configs, lockstep};
+use crate::support::cases;
 
 const REQUESTS: u64 = 600;
 /// Records that are asked for again and again: the nodes near the root and the leaves on the left.
@@ -110,7 +111,7 @@ impl Rule for Requests {
 #[test]
 fn records_are_kept_and_replaced_as_in_the_model() {
     // Fewer lines than records, as many, and more.
-    for (config, tree_cache) in configs().into_iter().zip([16, 16, 32, 64]) {
+    for (config, tree_cache) in cases(configs().into_iter().zip([16, 16, 32, 64])) {
         let config = Config { tree_cache, ..config };
         let begin = |feeds: &mut Feeds| {
             let (memory, nodes, leaves) = (Memory::default(), vec![], vec![]);

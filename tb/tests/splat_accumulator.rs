@@ -9,10 +9,11 @@ use pointcore_tb::lockstep::{Lockstep, seeds};
 
 use crate::splat::exchange::{Drive, Exchange, Side};
 use crate::splat::{Device, RUNS, configs, fixed_configs, moving_configs, stalls};
+use crate::support::cases;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(fixed_configs()).chain(moving_configs()) {
+    for config in cases(configs().into_iter().chain(fixed_configs()).chain(moving_configs())) {
         let device = Device::new(&config, &accumulator::module(&config), &units::accumulator::UNIT);
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::Accumulator, &device);

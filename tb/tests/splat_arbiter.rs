@@ -11,6 +11,7 @@ use pointcore_hdl::splat::arbiter;
 use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
 
 use crate::splat::{Device, RUNS, Travels, configs, scene, stalls};
+use crate::support::cases;
 
 /// Of a side.
 const READS: usize = 120;
@@ -56,7 +57,7 @@ fn runs(config: &Config, mark: Mark, side: u32, random: &mut Rng) -> Vec<PixelRu
 
 #[test]
 fn it_agrees_with_the_model_and_nothing_is_lost() {
-    for config in configs() {
+    for config in cases(configs()) {
         let device = Device::new(&config, &arbiter::module(&config), &units::arbiter::UNIT);
         let mut waited = false;
         for seed in seeds(RUNS).unwrap() {

@@ -9,6 +9,7 @@ use pointcore_hdl::splat::distributor;
 use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
 
 use crate::splat::{Device, RUNS, configs, scene, stalls};
+use crate::support::cases;
 
 const COPIES: usize = 1500;
 
@@ -34,7 +35,7 @@ fn expected(config: &Config, copies: &[SplatCopy], level: u32, side: u32) -> Vec
 #[test]
 fn it_agrees_with_the_model_and_copies_go_to_their_side() {
     let [bare, _, mixed] = configs();
-    for (config, level) in [(Config { rasterizers: 2, ..bare }, 0), (Config { rasterizers: 8, ..mixed }, 1)] {
+    for (config, level) in cases([(Config { rasterizers: 2, ..bare }, 0), (Config { rasterizers: 8, ..mixed }, 1)]) {
         let device = Device::new(&config, &distributor::module(&config, level), &units::distributor::UNIT);
         let mut random = scene::random();
         let copy = |index| SplatCopy { end: index % 100 == 99, ..scene::noise(&config, &mut random) };

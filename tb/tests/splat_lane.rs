@@ -14,6 +14,7 @@ use pointcore_hdl::splat::lane;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, seeds};
 
 use crate::splat::{Device, RUNS, configs, moving_configs, scene, stalls};
+use crate::support::cases;
 
 const SPLATS: usize = 1200;
 
@@ -150,7 +151,7 @@ fn it_agrees_with_the_model() {
     let [bare, _, mixed] = configs();
     let in_memory = Config { payload: PayloadStore::Memory, payload_beats: 4, payload_ahead: 5, ..mixed.clone() };
     let [moving, ..] = moving_configs();
-    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0), (moving, 0)] {
+    for (config, number) in cases([(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0), (moving, 0)]) {
         let hardware = lane::lane(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let latency = |unit: &str| hardware.manifests[unit].latency;
         let [rasterizer, weighting] = ["rasterizer", "weighting"].map(latency);

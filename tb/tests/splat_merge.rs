@@ -12,6 +12,7 @@ use pointcore_hdl::splat::merge;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
 use crate::splat::{Device, configs, moved, offer, scene};
+use crate::support::cases;
 
 const SEEDS: u64 = 6;
 /// Surfaces one after the other, and tiles of each.
@@ -185,7 +186,7 @@ impl Stimulus for Around {
 fn it_agrees_with_the_model_and_what_leaves_is_nearer_than_what_was_there() {
     let coarse = |config: &Config| Config { geometry: Format::BF16, rasterizer: None, ..config.clone() };
     let sizes = configs().into_iter().flat_map(|config| [config.clone(), coarse(&config)]).zip([8, 64, 16, 9, 200, 33]);
-    for (config, merge_ahead) in sizes {
+    for (config, merge_ahead) in cases(sizes) {
         let config = Config { merge: Feature::On, merge_ahead, ..config };
         let device = Device::new(&config, &merge::module(&config), &units::merge::UNIT);
         let fragments = surfaces(&config);

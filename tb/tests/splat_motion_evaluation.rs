@@ -9,6 +9,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::motion_evaluation;
 
 use crate::splat::{Device, moving_configs, scene};
+use crate::support::cases;
 
 const PLACES: usize = 2500;
 
@@ -84,7 +85,7 @@ fn places(config: &Config) -> Vec<MovingPlace> {
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_families() {
-    for config in moving_configs() {
+    for config in cases(moving_configs()) {
         let hardware =
             motion_evaluation::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::motion_evaluation::UNIT);

@@ -8,6 +8,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::motion_setup;
 
 use crate::splat::{Device, moving_configs, scene};
+use crate::support::cases;
 
 const SPLATS: usize = 600;
 
@@ -40,7 +41,7 @@ fn splats(config: &Config) -> Vec<Splat> {
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_families() {
-    for config in moving_configs() {
+    for config in cases(moving_configs()) {
         let hardware = motion_setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         for (class, used) in &hardware.manifest.operators {
             println!("{class}: {} operations on {}", used.operations, used.instances);

@@ -9,6 +9,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::normalizer;
 
 use crate::splat::{Device, configs, fixed_configs, knobs, moving_configs, scene};
+use crate::support::cases;
 
 const PIXELS: u64 = 25_000;
 
@@ -57,7 +58,7 @@ fn pixels(config: &Config) -> Vec<FinishedPixel> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(fixed_configs()).chain(knobs()).chain(moving_configs()) {
+    for config in cases(configs().into_iter().chain(fixed_configs()).chain(knobs()).chain(moving_configs())) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::normalizer::UNIT);
         let fragments: Vec<Fragment> =

@@ -12,6 +12,7 @@ use pointcore_hdl::splat::payloads;
 use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
 use crate::splat::{Device, configs, offer, scene};
+use crate::support::cases;
 
 const SPLATS: u32 = 400;
 const SEEDS: u64 = 12;
@@ -208,7 +209,7 @@ fn sizes() -> Vec<Config> {
 #[test]
 fn it_agrees_with_the_model() {
     let mut filled = 0;
-    for config in sizes() {
+    for config in cases(sizes()) {
         let device = Device::new(&config, &payloads::module(&config), &units::payloads::UNIT);
         let streams = Streams::of(device.library());
         let copies = copies(&config);

@@ -10,6 +10,7 @@ use pointcore_hdl::splat::prefetch;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
 use crate::splat::{Device, configs, moved, offer, scene};
+use crate::support::cases;
 
 const COPIES: usize = 1200;
 const SEEDS: u64 = 12;
@@ -99,7 +100,7 @@ fn copies(config: &Config) -> Vec<TileCopy> {
 
 #[test]
 fn it_agrees_with_the_model_and_asks_for_no_more_than_there_is_room_for() {
-    for (config, payload_ahead) in configs().into_iter().zip([1, 5, 16]) {
+    for (config, payload_ahead) in cases(configs().into_iter().zip([1, 5, 16])) {
         let config = Config { payload: PayloadStore::Memory, payload_ahead, ..config };
         let device = Device::new(&config, &prefetch::module(&config), &units::prefetch::UNIT);
         let copies = copies(&config);

@@ -7,12 +7,13 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::rasterizer;
 
 use crate::splat::{Device, configs, integer_configs, knobs, moving_configs, scene};
+use crate::support::cases;
 
 const SPLATS: usize = 1500;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(knobs()).chain(integer_configs()).chain(moving_configs()) {
+    for config in cases(configs().into_iter().chain(knobs()).chain(integer_configs()).chain(moving_configs())) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::rasterizer::UNIT);
         let mut random = scene::random();

@@ -7,6 +7,7 @@ use pointcore_golden::splat::Reorder;
 use pointcore_hdl::splat::reorder;
 
 use crate::splat::{Device, configs, scene};
+use crate::support::cases;
 
 const COPIES: u64 = 1200;
 
@@ -36,7 +37,7 @@ fn by_frame(config: &Config, copies: &[TileCopy]) -> Vec<Vec<Vec<u64>>> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let device = Device::new(&config, &reorder::module(&config), &units::reorder::UNIT);
         let copies = copies(&config);
         let runs = device.runs(&Reorder::new(&config), &copies, &[]);

@@ -7,12 +7,13 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::setup;
 
 use crate::splat::{Device, configs, integer_configs, knobs, scene};
+use crate::support::cases;
 
 const SPLATS: usize = 3000;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
-    for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
+    for config in cases(configs().into_iter().chain(knobs()).chain(integer_configs())) {
         let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::setup::UNIT);
         let mut splats = scene::camera(&config, SPLATS);

@@ -9,10 +9,11 @@ use pointcore_tb::lockstep::seeds;
 
 use crate::splat::exchange::{Drive, Exchange, Side};
 use crate::splat::{Device, RUNS, configs, stalls};
+use crate::support::cases;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs() {
+    for config in cases(configs()) {
         let device = Device::new(&config, &tile_cache::module(&config), &units::tile_cache::UNIT);
         let mut most_in_flight = 0;
         for seed in seeds(RUNS).unwrap() {

@@ -15,7 +15,7 @@ use pointcore_tb::verilated::{Library, VerilogSource};
 use rayon::prelude::*;
 
 use crate::splat::{RUNS, configs, fixed_configs, in_order, integer_configs, knobs, moving_configs, scene, stalls};
-use crate::support;
+use crate::support::{self, cases};
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 400;
@@ -62,9 +62,8 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         Config { rasterizers: 2, memory_ports: 2, payload: PayloadStore::Memory, payload_beats: 2, ..bare },
         Config { rasterizers: 4, memory_ports: 2, ..mixed },
     ];
-    let all: Vec<_> =
-        configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs()).collect();
-    all.into_par_iter().for_each(|config| {
+    let all = configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs());
+    cases(all).par_bridge().for_each(|config| {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));
         let mut frame = scene::frames(&config, RECORDS);
@@ -102,7 +101,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
 #[test]
 fn fragments_leave_that_are_nearer_than_what_is_in_memory() {
     let [bare, _, mixed] = configs();
-    for config in [bare, Config { rasterizers: 2, memory_ports: 2, geometry: Format::F24, ..mixed }] {
+    for config in cases([bare, Config { rasterizers: 2, memory_ports: 2, geometry: Format::F24, ..mixed }]) {
         let [alone, config] = [Feature::Off, Feature::On].map(|merge| Config { merge, ..config.clone() });
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));

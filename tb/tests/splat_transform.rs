@@ -7,12 +7,13 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::transform;
 
 use crate::splat::{Device, configs, fixed_configs, moving_configs, scene};
+use crate::support::cases;
 
 const SPLATS: usize = 4000;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
-    for config in configs().into_iter().chain(fixed_configs()).chain(moving_configs()) {
+    for config in cases(configs().into_iter().chain(fixed_configs()).chain(moving_configs())) {
         let hardware = transform::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::transform::UNIT);
         let mut splats = scene::world(&config, SPLATS);

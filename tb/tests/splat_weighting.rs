@@ -7,6 +7,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::weighting;
 
 use crate::splat::{Device, configs, fixed_configs, moving_configs, scene};
+use crate::support::cases;
 
 const SAMPLES: usize = 8000;
 
@@ -21,7 +22,7 @@ fn samples(config: &Config) -> Vec<Sample> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(fixed_configs()).chain(moving_configs()) {
+    for config in cases(configs().into_iter().chain(fixed_configs()).chain(moving_configs())) {
         let hardware = weighting::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::weighting::UNIT);
         let samples = samples(&config);

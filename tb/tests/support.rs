@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use pointcore_contract::{Direction, Interface, Port};
 use pointcore_golden::unit::Unit;
+pub use pointcore_tb::verilated::substitute::cases;
 use pointcore_tb::verilated::{BuildOptions, Builder, Library, StreamDeclaration, VerilogSource};
 use rtl::{self, Design, Module, elaborate};
 

@@ -10,6 +10,7 @@ use pointcore_tb::cache::{file, key};
 use pointcore_tb::verilated::ModuleInterface;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -79,6 +80,15 @@ pub enum Event {
     Judged,
 }
 
+/// Tests, or some of their cases.
+#[derive(Clone, Debug, Default)]
+pub struct Tests {
+    /// Their names.
+    pub names: BTreeSet<String>,
+    /// Numbers of the cases; all where there are none.
+    pub cases: Option<BTreeSet<usize>>,
+}
+
 /// A design, and the tests that build it.
 #[derive(Clone, Debug)]
 pub struct Subject {
@@ -94,8 +104,8 @@ pub struct Subject {
     pub top: String,
     /// What modules show to each other, of those of which it is known: which outputs count when.
     pub interfaces: Vec<ModuleInterface>,
-    /// The tests.
-    pub tests: Vec<String>,
+    /// The tests that build it.
+    pub tests: Tests,
     /// Where the tests find what is built in its place.
     pub substitute: PathBuf,
 }
@@ -144,29 +154,33 @@ impl Campaign {
         name: &str,
         subjects: &[Subject],
         folder: &Path,
-        run: impl Fn(&[String], u32, Duration) -> Result<Verdict, MutationError> + Sync,
+        run: impl Fn(&Tests, u32, Duration) -> Result<Verdict, MutationError> + Sync,
         progress: &(dyn Fn(Event) + Sync),
     ) -> Result<Score, MutationError> {
         let mutants = self.mutants(subjects, folder)?;
         let source = key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned();
         let (before, mutants) = self.asked(name, source, mutants)?;
         progress(Event::Listed(mutants.len()));
-        let mut tests: Vec<_> = subjects.iter().flat_map(|subject| subject.tests.clone()).collect();
-        tests.sort();
-        tests.dedup();
-        // The first run without a mutant builds, the second is timed.
-        let mut duration = Duration::ZERO;
-        for limit in [BUILD_LIMIT, LIMIT] {
+        let all = subjects.iter().flat_map(|subject| subject.tests.names.clone()).collect();
+        // The first run without a mutant builds, those of each subject are timed.
+        let without = |tests: &Tests, limit: Duration| {
             let begin = Instant::now();
-            let verdict = run(&tests, 0, limit)?;
+            let verdict = run(tests, 0, limit)?;
             if verdict.is_found() {
                 return Err(MutationError::Baseline { name: name.to_owned(), output: format!("{verdict:?}") });
             }
-            duration = begin.elapsed();
+            Ok(begin.elapsed())
+        };
+        without(&Tests { names: all, cases: None }, BUILD_LIMIT)?;
+        let mut limits = BTreeMap::new();
+        for Mutant { subject, .. } in &mutants {
+            if !limits.contains_key(&subject.substitute) {
+                let duration = without(&subject.tests, LIMIT)?;
+                limits.insert(subject.substitute.clone(), SHORTEST_LIMIT.max(PATIENCE * duration));
+            }
         }
-        let limit = SHORTEST_LIMIT.max(PATIENCE * duration);
-        let try_one = |mutant: &Mutant<'_>| {
-            let verdict = run(&mutant.subject.tests, mutant.number, limit)?;
+        let try_one = |Mutant { subject, number, .. }: &Mutant<'_>| {
+            let verdict = run(&subject.tests, *number, limits[&subject.substitute])?;
             progress(Event::Tried);
             Ok(verdict.is_found())
         };

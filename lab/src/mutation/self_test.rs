@@ -1,7 +1,7 @@
 //! The tests of a package, as `pointcore gen` writes them and FuseSoC runs them, with mutants of what they test.
 
 use super::MutationError;
-use super::campaign::{Campaign, Event, Score, Subject};
+use super::campaign::{Campaign, Event, Score, Subject, Tests};
 use super::modules::Modules;
 use super::process::{self, Verdict, output};
 use super::record::SELF_TEST;
@@ -77,11 +77,11 @@ impl<'a> SelfTest<'a> {
         let others_path = work.join("others.v");
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
-        let (top, tests) = (module.clone(), vec![test.clone()]);
+        let (top, tests) = (module.clone(), Tests { names: [test.clone()].into(), cases: None });
         let interfaces = self.interfaces()?;
         let modules = Modules::of(&verilog).names().map(str::to_owned).collect();
         let subject = Subject { verilog, modules, others, core, top, interfaces, tests, substitute: mutated };
-        let run = |_: &[String], number: u32, limit: Duration| {
+        let run = |_: &Tests, number: u32, limit: Duration| {
             let program = work.join("obj_dir").join(format!("V{test}"));
             if !program.exists() {
                 build(work, test)?;

@@ -1,7 +1,7 @@
 //! The lockstep tests of the units, as a program that runs with mutants.
 
 use super::MutationError;
-use super::campaign::{Campaign, Event, Score, Subject};
+use super::campaign::{Campaign, Event, Score, Subject, Tests};
 use super::modules::Modules;
 use super::process::{self, Verdict, output};
 use pointcore_tb::cache::file;
@@ -71,12 +71,13 @@ impl Suite {
         let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
         let folder = scratch.path();
         // Test threads have the names of their tests only if there are several.
-        let seen = self.run(&[format!("{unit}::")], folder, 0, LIMIT, &["--test-threads=2"])?;
+        let all = Tests { names: [format!("{unit}::")].into(), cases: None };
+        let seen = self.run(&all, folder, 0, LIMIT, &["--test-threads=2"])?;
         if seen.is_found() {
             return Err(MutationError::Baseline { name: unit.to_owned(), output: format!("{seen:?}") });
         }
         let subjects = self.subjects(unit, folder)?;
-        let run = |tests: &[String], number: u32, limit: Duration| {
+        let run = |tests: &Tests, number: u32, limit: Duration| {
             self.run(tests, folder, number, limit, &["--test-threads=1", "--exact"])
         };
         campaign.run(unit, &subjects, folder, run, progress)
@@ -87,17 +88,20 @@ impl Suite {
         let path = folder.join(substitute::USES);
         let uses = fs::read_to_string(&path).map_err(file("read", &path))?;
         let of_unit = || self.tests.iter().filter(|test| test.starts_with(&format!("{unit}::"))).cloned();
-        let mut builders: BTreeMap<(String, String), BTreeSet<String>> = BTreeMap::new();
+        let mut builders: BTreeMap<(String, String), Tests> = BTreeMap::new();
         for line in uses.lines() {
             let mut words = line.split(' ').map(str::to_owned);
-            let (Some(digest), Some(top), Some(test)) = (words.next(), words.next(), words.next()) else { continue };
-            let tests = builders.entry((digest, top)).or_default();
+            let [Some(digest), Some(top), Some(test), Some(case)] = [(); 4].map(|()| words.next()) else { continue };
+            let tests = || Tests { cases: Some(BTreeSet::new()), ..Tests::default() };
+            let Tests { names, cases } = builders.entry((digest, top)).or_insert_with(tests);
+            // What is built for no case is every case's.
+            *cases = cases.take().zip(case.parse().ok()).map(|(cases, case)| &cases | &[case].into());
             // What a thread builds that is no test's own may be any test's.
-            if self.tests.contains(&test) { tests.extend([test]) } else { tests.extend(of_unit()) }
+            if self.tests.contains(&test) { names.extend([test]) } else { names.extend(of_unit()) }
         }
         let units = self.units();
         let elsewhere = |module: &str| home(&units, module).is_some_and(|home| home != unit);
-        let subject = |((digest, top), tests): ((String, String), BTreeSet<String>)| {
+        let subject = |((digest, top), tests): ((String, String), Tests)| {
             let read = |ending: &str| {
                 let path = folder.join(format!("{digest}.{ending}"));
                 fs::read_to_string(&path).map_err(file("read", &path))
@@ -107,7 +111,7 @@ impl Suite {
             let modules = modules.into_iter().map(str::to_owned).collect();
             let interfaces = serde_json::from_str(&read(substitute::INTERFACES)?);
             let interfaces = interfaces.expect("the tests write what they have from the generator");
-            let (tests, substitute) = (tests.into_iter().collect(), folder.join(digest + ".v"));
+            let substitute = folder.join(digest + ".v");
             Ok(Subject { verilog, modules, others: String::new(), core: None, top, interfaces, tests, substitute })
         };
         builders.into_iter().map(subject).collect()
@@ -115,14 +119,18 @@ impl Suite {
 
     fn run(
         &self,
-        tests: &[String],
+        tests: &Tests,
         substitutes: &Path,
         mutant: u32,
         limit: Duration,
         arguments: &[&str],
     ) -> Result<Verdict, MutationError> {
         let mut command = Command::new(&self.program);
-        command.args(tests).args(arguments).env(substitute::VARIABLE, substitutes);
+        command.args(&tests.names).args(arguments).env(substitute::VARIABLE, substitutes);
+        if let Some(cases) = &tests.cases {
+            let numbers: Vec<_> = cases.iter().map(usize::to_string).collect();
+            command.env(substitute::CASES, numbers.join(","));
+        }
         command.env("POINTCORE_PLUSARG", format!("+mutant={mutant}"));
         process::run(command, limit, |line| line.starts_with("test ") && line.ends_with("FAILED"))
     }

@@ -3,6 +3,7 @@
 //! Mutation testing is made of this: it finds out which sources a test builds, and has the test run again with a mutant of one.
 
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -17,7 +18,11 @@ use crate::cache::{file, key};
 /// `<digest>.original`, what its modules show to each other to `<digest>.interfaces`, and a line of [`USES`] says who builds it.
 pub const VARIABLE: &str = "POINTCORE_SUBSTITUTES";
 
-/// File of the folder with a line a build: the source's digest, its top module, and the thread, which a test gives its name.
+/// The variable that says which of a test's [`cases`] are run, by their numbers with commas between them; all where it is not set.
+pub const CASES: &str = "POINTCORE_CASES";
+
+/// File of the folder with a line a build: the source's digest, its top module, the thread, which a test gives its name, and the number
+/// of the [case](cases), or a dash.
 pub const USES: &str = "uses";
 
 /// Ending of a source as it is, beside its digest.
@@ -36,6 +41,25 @@ pub fn digest(verilog: &str, top: &str) -> String {
 #[must_use]
 pub fn are_asked_for() -> bool {
     std::env::var_os(VARIABLE).is_some()
+}
+
+thread_local! {
+    /// The case that this thread is at.
+    static CASE: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// The cases of a test, each with hardware of its own: a mutant of one is tried without the others.
+pub fn cases<T>(all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+    let asked: Option<Vec<usize>> = std::env::var(CASES).ok().map(|cases| {
+        let number = |case: &str| case.parse().unwrap_or_else(|_| panic!("{CASES}={cases}: expected numbers"));
+        cases.split(',').map(number).collect()
+    });
+    let mut all = all.into_iter().enumerate();
+    std::iter::from_fn(move || {
+        let next = all.find(|(case, _)| asked.as_ref().is_none_or(|asked| asked.contains(case)));
+        CASE.set(next.as_ref().map(|(case, _)| *case));
+        next.map(|(_, it)| it)
+    })
 }
 
 /// The source that is to be built.
@@ -63,7 +87,8 @@ fn within<'a>(source: &'a VerilogSource, folder: &Path) -> Result<Cow<'a, Verilo
         fs::write(&path, text).map_err(file("write", &path))?;
     }
     let uses = folder.join(USES);
-    let line = format!("{digest} {} {}\n", source.top, thread::current().name().unwrap_or("-"));
+    let case = CASE.get().map_or_else(|| "-".to_owned(), |case| case.to_string());
+    let line = format!("{digest} {} {} {case}\n", source.top, thread::current().name().unwrap_or("-"));
     let appended = OpenOptions::new().create(true).append(true).open(&uses);
     appended.and_then(|mut opened| opened.write_all(line.as_bytes())).map_err(file("write", &uses))?;
     Ok(Cow::Borrowed(source))
@@ -88,7 +113,11 @@ mod tests {
         let digest = digest("module a;", "a");
         let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap_or_default();
         assert_eq!(read(&format!("{digest}.{ORIGINAL}")), source.verilog);
-        assert!(read(USES).starts_with(&format!("{digest} a ")), "{}", read(USES));
+        assert!(read(USES).starts_with(&format!("{digest} a ")) && read(USES).ends_with(" -\n"), "{}", read(USES));
+        let second = cases(["first", "second"]).nth(1);
+        assert_eq!(second, Some("second"));
+        built(&source);
+        assert!(read(USES).ends_with(" 1\n"), "{}", read(USES));
         fs::write(folder.path().join(format!("{digest}.v")), "module a; wire b;").expect("it can be written");
         assert_eq!(built(&source).verilog, "module a; wire b;");
     }

@@ -1,6 +1,7 @@
 //! Proofs about small designs.
 
 use super::*;
+use crate::mutation::campaign::Tests;
 use crate::mutation::schemata::Schemata;
 use pointcore_tb::verilated::Direction::{self, Input as In, Output as Out};
 use pointcore_tb::verilated::{ModuleInterface, Port, StreamDeclaration, VerilogSource};
@@ -55,7 +56,7 @@ fn subject(verilog: &str, others: &str, core: Option<&str>, top: &str) -> Subjec
         top: top.to_owned(),
         modules: Modules::of(verilog).names().map(str::to_owned).collect(),
         interfaces: Vec::new(),
-        tests: Vec::new(),
+        tests: Tests::default(),
         substitute: "unused".into(),
     }
 }
