@@ -22,8 +22,8 @@ pub struct Arguments {
     /// Tests at a time; by default as many as there are processors.
     #[arg(long, value_parser = numbers::within(1_usize..=256, "1 to 256 at a time"))]
     jobs: Option<usize>,
-    /// Seconds for each proof that a mutant which was missed changes nothing.
-    #[arg(long, default_value_t = 60, value_parser = numbers::within(1_u32..=86_400, "1 to 86400 seconds"))]
+    /// Seconds for each proof that a mutant which was missed changes nothing; with 0 none is tried, and --again does it later.
+    #[arg(long, default_value_t = 60, value_parser = numbers::within(0_u32..=86_400, "0 to 86400 seconds"))]
     proof_seconds: u32,
     /// Keep every score in this file as soon as it is known.
     #[arg(long, value_name = "FILE")]

@@ -31,7 +31,7 @@ pub struct Settings {
     pub seed: u64,
     /// Tests at a time.
     pub jobs: usize,
-    /// Seconds for the proof that a mutant which was missed changes nothing.
+    /// Seconds for the proof that a mutant which was missed changes nothing; none is tried with none.
     pub proof_seconds: u32,
 }
 
@@ -193,7 +193,10 @@ impl Campaign {
             mutants.iter().zip(&found).filter(|(_, found)| !**found).map(|(mutant, _)| mutant).collect();
         progress(Event::Missed(missed.len()));
         let judge = |mutant: &&Mutant<'_>| {
-            let proof = equivalence::prove(&self.yosys, mutant.subject, &mutant.mutation, self.settings.proof_seconds);
+            let proof = match self.settings.proof_seconds {
+                0 => Ok(Proof::Open),
+                seconds => equivalence::prove(&self.yosys, mutant.subject, &mutant.mutation, seconds),
+            };
             progress(Event::Judged);
             proof
         };
