@@ -58,7 +58,7 @@ fn queries_of_every_program_leave_as_the_interpreter_says() {
             .map(|manifest| Pipeline { latency: manifest.latency, interval: manifest.initiation_interval });
         let model = Top::new(&config, latencies, KernelPipelines { kernel, sums });
         let begin = |feeds: &mut Feeds| {
-            feeds.hold("forget", 0);
+            feeds.pulse("forget");
             Surroundings { config: config.clone(), queries: Queries::begin(&config, feeds) }
         };
         let seen = RefCell::new(Seen::default());
