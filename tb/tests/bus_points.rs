@@ -1,6 +1,8 @@
 //! The point processor on AXI: queries leave with what the interpreter says of the neighbors that brute force finds; tree through the
 //! window or in memory, with caches and without.
 
+use std::collections::HashMap;
+
 use pointcore_contract::bus::registers::{PointsRegisters, RegisterMap};
 use pointcore_contract::bus::units::points_axi::Ports;
 use pointcore_contract::bus::units::{window_bits, window_index_bits};
@@ -15,7 +17,7 @@ use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::bus::searched::{LINES_BASE, MEMORY_BYTES, put_points, put_tree, tree_words};
-use crate::points::{Asked, World, cores};
+use crate::points::{Asked, World, anywhere, cores, near_grid};
 use crate::search::word;
 use crate::support::cases;
 
@@ -89,15 +91,15 @@ fn run(host: &mut PointsHost, world: &World, random: &mut fastrand::Rng, command
     assert!(!host.start(0), "a run is under way");
     host.finish();
     let mut compared = 0;
-    let mut expected: Vec<_> = queries.iter().map(|query| Some(world.expect(query))).collect();
+    let mut expected: HashMap<_, _> = queries.iter().map(|query| (query[0], world.expect(query))).collect();
     for outcome in &host.received {
-        let expected = expected[outcome.number as usize].take().expect("each query leaves once");
+        let expected = expected.remove(&outcome.number.into()).expect("each query leaves once");
         if let Some(expected) = expected.outcome {
             assert_eq!(words(&world.config.process, *outcome), expected);
             compared += 1;
         }
     }
-    assert!(expected.iter().all(Option::is_none), "each query leaves");
+    assert!(expected.is_empty(), "each query leaves");
     assert_eq!(host.read("packets_in"), QUERIES as u32);
     assert_eq!(host.read("packets_out"), QUERIES as u32);
     assert!(host.read("event_kernel") >= QUERIES as u32 && host.read("event_line_hit") > 0);
@@ -116,25 +118,25 @@ fn configs() -> [Config; 3] {
 #[test]
 fn what_leaves_on_the_bus_is_what_the_interpreter_says() {
     for config in cases(configs()) {
-        let mut compared = 0;
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
-            let mut world = World::random(&config, &mut random);
+            let is_apart = seed.is_multiple_of(2);
+            let coordinate = if is_apart { anywhere } else { near_grid };
+            let mut world = World::random(&config, coordinate, &mut random);
             let mut host = host(&world, seed);
             assert_eq!(host.read("id"), 0x5043_0c01);
             let mut refused = 0;
             for (number, commands) in [RESET, RESET, 0].into_iter().enumerate() {
                 let [wrong, right] = run(&mut host, &world, &mut random, commands);
                 refused += wrong;
-                compared += right;
+                let most = if is_apart { QUERIES * 9 / 10 } else { 1 };
+                assert!(u64::from(right) >= most, "{}: {right} compared", config.process.program.name());
                 host.expect_errors([0, number as u32 + 1, 0, refused, 0]);
                 if commands == RESET {
                     world.ask_anew(&mut random);
                 }
             }
         }
-        let name = config.process.program.name();
-        assert!(u64::from(compared) * 10 > 9 * 2 * 3 * QUERIES, "{name}: {compared} compared");
     }
 }
 
@@ -143,7 +145,7 @@ fn what_leaves_on_the_bus_is_what_the_interpreter_says() {
 fn what_no_search_can_be_asked_for_is_refused() {
     let [config, ..] = configs();
     let mut random = fastrand::Rng::with_seed(1);
-    let world = World::random(&config, &mut random);
+    let world = World::random(&config, anywhere, &mut random);
     let mut host = host(&world, 1);
     set(&mut host, &world);
     let map = PointsRegisters::registers(&config);
@@ -165,7 +167,7 @@ fn what_no_search_can_be_asked_for_is_refused() {
 fn an_aborted_run_leaves_nothing_behind() {
     for config in cases(configs()) {
         let mut random = fastrand::Rng::with_seed(3);
-        let world = World::random(&config, &mut random);
+        let world = World::random(&config, anywhere, &mut random);
         let mut host = host(&world, 3);
         let mut refused = 0;
         for number in 1..=3 {

@@ -25,7 +25,7 @@ struct Surroundings {
 }
 
 impl Rule for Surroundings {
-    const SEEDS: u64 = 4;
+    const SEEDS: u64 = 10;
 
     fn quiet_cycles(&self) -> u64 {
         BLOCK_CYCLES

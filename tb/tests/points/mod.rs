@@ -11,11 +11,15 @@ use pointcore_contract::search;
 use pointcore_golden::process::{Interpreter, Neighborhood};
 use pointcore_golden::search::leaf::squared_distance;
 
-use crate::process::scene::{settings, tame};
+use crate::process::scene::{self, settings, tame, within};
 use crate::search::tree::Tree;
-use crate::search::{configs, number, word};
+use crate::search::{configs, coordinate, number, word};
 
 const ITERATIONS_MAX: u32 = 3;
+/// Of a coordinate.
+const MANTISSA_BITS: u32 = f32::MANTISSA_DIGITS - 1;
+/// How many times some attributes are doubled.
+const MAGNITUDES: std::ops::Range<i32> = -24..24;
 /// Sums that do not hang on the order of neighbors.
 const TAGS: &str = include_str!("../process/tags.pasm");
 /// Looks at the farthest neighbor, moves, searches now and then.
@@ -26,6 +30,8 @@ const FARTHEST: &str = include_str!("../process/farthest.pasm");
 pub struct World {
     /// The core.
     pub config: Config,
+    /// A coordinate of a point.
+    pub coordinate: Coordinate,
     /// The points' tree.
     pub tree: Tree,
     /// By index, as the program sees it.
@@ -52,7 +58,7 @@ impl Asked {
     fn random(Config { search, process }: &Config, random: &mut Rng) -> Self {
         let has_cache = search.neighbor_cache > 0;
         let k = if has_cache { search.neighbors } else { random.u32(1..=search.neighbors) };
-        let radius = [f32::INFINITY, 4.0][usize::from(!has_cache && random.bool())];
+        let radius = if has_cache || random.bool() { f32::INFINITY } else { 3.0 + 2.0 * random.f32() };
         let settings = settings(&process.program, process.format, random);
         let iterations_max = random.u32(1..=ITERATIONS_MAX);
         Self { settings, k, radius2: word(search, radius), iterations_max }
@@ -67,27 +73,37 @@ pub struct Expected {
     pub searches: u64,
 }
 
+/// A kind of coordinates.
+pub type Coordinate = fn(&mut Rng) -> f32;
+
 /// A coordinate that hardly any other one equals.
-fn anywhere(random: &mut Rng) -> f32 {
+pub fn anywhere(random: &mut Rng) -> f32 {
     3.0 - 6.0 * random.f32()
 }
 
+/// A coordinate on a coarse grid, or off by one of its digits: the last ones say which point is nearer.
+pub fn near_grid(random: &mut Rng) -> f32 {
+    let digit = if random.bool() { 0 } else { 1 << random.u32(..MANTISSA_BITS) };
+    f32::from_bits(coordinate(random).to_bits() ^ digit)
+}
+
 impl World {
-    /// Some points, and what is asked of them in the first run.
-    pub fn random(config: &Config, random: &mut Rng) -> Self {
+    /// Some points with such coordinates, and what is asked of them in the first run.
+    pub fn random(config: &Config, coordinate: Coordinate, random: &mut Rng) -> Self {
         let Config { search, process } = config;
         let program = &process.program;
-        let tree = Tree::over(anywhere, search, random);
+        let tree = Tree::over(coordinate, search, random);
         let types: Vec<_> = program.neighbor.words()[3..].iter().map(|word| word.ty).collect();
         let mut point = |position: &[f32; 3]| {
             let position = position.iter().map(|&coordinate| word(search, coordinate) as u32);
-            let attributes = types.iter().map(|&ty| tame(random, process.format, ty));
+            let magnitude = if random.bool() { 1.0 } else { 2_f64.powi(random.i32(MAGNITUDES)) };
+            let attributes = types.iter().map(|&ty| within(magnitude, random, process.format, ty));
             position.chain(attributes).collect()
         };
         let points = tree.points.iter().map(&mut point).collect();
         let asked = Asked::random(config, random);
         let interpreter = interpreter(config, &asked);
-        Self { config: config.clone(), tree, points, asked, interpreter }
+        Self { config: config.clone(), coordinate, tree, points, asked, interpreter }
     }
 
     /// Another run is to ask for something else.
@@ -100,14 +116,16 @@ impl World {
     pub fn queries(&self, count: u64, random: &mut Rng) -> Vec<Vec<u64>> {
         let Config { search, process } = &self.config;
         let places: Vec<[f32; 3]> =
-            (0..search.neighbor_cache).map(|_| std::array::from_fn(|_| anywhere(random))).collect();
+            (0..search.neighbor_cache).map(|_| std::array::from_fn(|_| (self.coordinate)(random))).collect();
         let types: Vec<_> = process.program.query.words()[3..].iter().map(|word| word.ty).collect();
-        let query = |number| {
-            let place = if places.is_empty() { [0.0; 3] } else { places[random.usize(..places.len())] };
-            let spread = if places.is_empty() { 1.0 } else { 1.0 / 32.0 };
-            let position = place.map(|coordinate| word(search, coordinate + spread * anywhere(random)));
+        let query = |index| {
+            let place = match places.len() {
+                0 => [(); 3].map(|()| (self.coordinate)(random)),
+                count => places[random.usize(..count)].map(|coordinate| coordinate + anywhere(random) / 32.0),
+            };
+            let position = place.map(|coordinate| word(search, coordinate));
             let words = types.iter().map(|&ty| tame(random, process.format, ty).into());
-            [number].into_iter().chain(position).chain(words).collect()
+            [scene::number(process, index)].into_iter().chain(position).chain(words).collect()
         };
         (0..count).map(query).collect()
     }

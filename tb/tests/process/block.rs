@@ -119,8 +119,13 @@ impl Golden {
 
 /// A moderate value: floats within ±1, few of them very small.
 pub fn tame(rng: &mut Rng, format: Format, ty: Scalar) -> u32 {
+    within(1.0, rng, format, ty)
+}
+
+/// The same with floats of another magnitude.
+pub fn within(magnitude: f64, rng: &mut Rng, format: Format, ty: Scalar) -> u32 {
     match ty {
-        Scalar::Float => encode(format, rng.f64() * 2.0 - 1.0),
+        Scalar::Float => encode(format, magnitude * (rng.f64() * 2.0 - 1.0)),
         Scalar::Int => rng.i32(-9..10) as u32,
         Scalar::Bool => rng.u32(..2),
     }

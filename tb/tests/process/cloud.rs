@@ -10,7 +10,7 @@ use pointcore_contract::process::records::Settings;
 use pointcore_contract::process::{Config, Section};
 use pointcore_golden::process::{Interpreter, Neighborhood};
 
-use super::scene::{number, settings, tame};
+use super::scene::{number, settings, tame, within};
 use crate::search::environment::Feeds;
 
 /// Queries of a run.
@@ -18,6 +18,8 @@ pub const QUERIES: u64 = 32;
 /// Longer than a block of any program takes.
 pub const BLOCK_CYCLES: u64 = 1500;
 const ITERATIONS_MAX: u32 = 4;
+/// How many times some points' numbers are doubled.
+const MAGNITUDES: std::ops::Range<i32> = -24..4;
 /// Cycles that a search takes at most.
 const SEARCH_CYCLES: u32 = 60;
 
@@ -39,7 +41,10 @@ impl Cloud {
     pub fn point(&self, index: u64) -> Vec<u32> {
         let mut random = self.random(index);
         let types = self.config.program.neighbor.words().into_iter().map(|word| word.ty);
-        types.map(|ty| tame(&mut random, self.config.format, ty)).collect()
+        // Sums of small numbers show what is small in them; not in every cloud, for they hardly take several iterations.
+        let is_varied = self.seed.is_multiple_of(3) && random.bool();
+        let magnitude = if is_varied { 2_f64.powi(random.i32(MAGNITUDES)) } else { 1.0 };
+        types.map(|ty| within(magnitude, &mut random, self.config.format, ty)).collect()
     }
 
     /// The neighbors of a position: none, one, as many as there may be, or some.

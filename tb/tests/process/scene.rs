@@ -1,6 +1,6 @@
 //! What the tests of the process core's units share: configurations, and items of random words.
 
-pub use super::block::{settings, tame};
+pub use super::block::{settings, tame, within};
 use fastrand::Rng;
 use pointcore_contract::process::library::{PROGRAMS, program};
 use pointcore_contract::process::{Config, Program};
