@@ -17,8 +17,8 @@ use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::bus::searched::{LINES_BASE, MEMORY_BYTES, put_points, put_tree, tree_words};
-use crate::points::{Asked, World, anywhere, cores, near_grid};
-use crate::search::word;
+use crate::points::{Asked, World, anywhere, cores};
+use crate::search::{near_grid, word};
 use crate::support::cases;
 
 /// A host of the point processor.

@@ -14,12 +14,12 @@ use pointcore_golden::{process as golden_process, search as golden_search};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::points::top::{self, Core};
 
-use crate::points::{Asked, World, anywhere, cores, near_grid};
+use crate::points::{Asked, World, anywhere, cores};
 use crate::process::cloud::BLOCK_CYCLES;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, lockstep, word};
+use crate::search::{all, lockstep, near_grid, word};
 use crate::support::cases;
 
 const QUERIES: u64 = 24;

@@ -12,7 +12,7 @@ use pointcore_hdl::search::top;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, configs, coordinate, fine_coordinate, lockstep, number, query_at, word};
+use crate::search::{Coordinate, all, configs, coordinate, fine_coordinate, lockstep, near_grid, number, query_at, word};
 use crate::support::cases;
 
 const QUERIES: u64 = 40;
@@ -56,7 +56,7 @@ struct Host {
 /// Queries to a core with a neighbor cache: near as many places as it has entries, off the grid of the points so that few
 /// distances tie.
 fn coherent_queries(
-    coordinate: fn(&mut fastrand::Rng) -> f32,
+    coordinate: Coordinate,
     config: &Config,
     mode: Mode,
     random: &mut fastrand::Rng,
@@ -82,8 +82,11 @@ fn coherent_queries(
 
 impl Host {
     fn new(config: &Config, random: &mut fastrand::Rng) -> Self {
-        let is_exact = random.bool();
-        let coordinate = if is_exact { coordinate } else { fine_coordinate };
+        let (coordinate, is_exact): (Coordinate, _) = match random.u8(..4) {
+            0 | 1 => (coordinate, true),
+            2 => (fine_coordinate, false),
+            _ => (near_grid, false),
+        };
         let tree = Tree::over(coordinate, config, random);
         let mode = (config.neighbor_cache > 0).then(|| if random.bool() { Mode::Nearest } else { Mode::Ball });
         let queries = match mode {

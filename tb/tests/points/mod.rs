@@ -13,11 +13,9 @@ use pointcore_golden::search::leaf::squared_distance;
 
 use crate::process::scene::{self, settings, tame, within};
 use crate::search::tree::Tree;
-use crate::search::{configs, coordinate, number, word};
+use crate::search::{Coordinate, configs, number, word};
 
 const ITERATIONS_MAX: u32 = 3;
-/// Of a coordinate.
-const MANTISSA_BITS: u32 = f32::MANTISSA_DIGITS - 1;
 /// How many times some attributes are doubled.
 const MAGNITUDES: std::ops::Range<i32> = -24..24;
 /// Sums that do not hang on the order of neighbors.
@@ -73,18 +71,9 @@ pub struct Expected {
     pub searches: u64,
 }
 
-/// A kind of coordinates.
-pub type Coordinate = fn(&mut Rng) -> f32;
-
 /// A coordinate that hardly any other one equals.
 pub fn anywhere(random: &mut Rng) -> f32 {
     3.0 - 6.0 * random.f32()
-}
-
-/// A coordinate on a coarse grid, or off by one of its digits: the last ones say which point is nearer.
-pub fn near_grid(random: &mut Rng) -> f32 {
-    let digit = if random.bool() { 0 } else { 1 << random.u32(..MANTISSA_BITS) };
-    f32::from_bits(coordinate(random).to_bits() ^ digit)
 }
 
 impl World {

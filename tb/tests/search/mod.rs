@@ -66,6 +66,9 @@ pub fn lockstep<M: Model + 'static, R: Rule>(
 /// Compares every output.
 pub fn all(_outputs: &mut [u64]) {}
 
+/// A kind of coordinates.
+pub type Coordinate = fn(&mut fastrand::Rng) -> f32;
+
 /// A coordinate on a coarse grid, so that distances tie.
 pub fn coordinate(random: &mut fastrand::Rng) -> f32 {
     f32::from(random.i8(-12..=12)) / 4.0
@@ -79,6 +82,12 @@ pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
         2 => fine * f32::powi(2.0, random.i32(-70..70)),
         _ => fine,
     }
+}
+
+/// One on that grid, or off by one of its digits: the last ones say which point is nearer.
+pub fn near_grid(random: &mut fastrand::Rng) -> f32 {
+    let digit = if random.bool() { 0 } else { 1 << random.u32(..f32::MANTISSA_DIGITS - 1) };
+    f32::from_bits(coordinate(random).to_bits() ^ digit)
 }
 
 /// Its multiples have fractions that are spread evenly, and all the bits of a mantissa.
@@ -123,12 +132,7 @@ pub fn query(config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u6
 }
 
 /// The same with coordinates of a kind.
-pub fn query_at(
-    coordinate: fn(&mut fastrand::Rng) -> f32,
-    config: &Config,
-    number: u64,
-    random: &mut fastrand::Rng,
-) -> Vec<u64> {
+pub fn query_at(coordinate: Coordinate, config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
     let k = random.u64(1..=config.neighbors.into());
     let mut query = vec![number, k, word(config, radius2(config, random))];
     query.extend((0..3).map(|_| word(config, coordinate(random))));

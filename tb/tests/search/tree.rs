@@ -2,7 +2,7 @@
 
 use pointcore_contract::search::Config;
 
-use crate::search::{coordinate, fine_coordinate, number, word};
+use crate::search::{Coordinate, coordinate, fine_coordinate, number, word};
 
 /// Points of a tree; they fill the leaves of the smallest.
 const MOST_POINTS: u32 = 128;
@@ -30,7 +30,7 @@ impl Tree {
     }
 
     /// The same over points with coordinates of a kind.
-    pub fn over(coordinate: fn(&mut fastrand::Rng) -> f32, config: &Config, random: &mut fastrand::Rng) -> Self {
+    pub fn over(coordinate: Coordinate, config: &Config, random: &mut fastrand::Rng) -> Self {
         let most = (config.bucket << config.tree_depth).min(MOST_POINTS);
         let count = if random.bool() { most } else { random.u32(1..=most) };
         let mut points: Vec<_> = (0..count).map(|_| [(); 3].map(|()| coordinate(random))).collect();
