@@ -18,7 +18,7 @@ use pointcore_tb::lockstep::seeds;
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::bus::searched::{LINES_BASE, MEMORY_BYTES, put_points, put_tree, tree_words};
 use crate::points::{Asked, World, anywhere, cores};
-use crate::search::{near_grid, word};
+use crate::search::{close_coordinate, word};
 use crate::support::cases;
 
 /// A host of the point processor.
@@ -121,7 +121,7 @@ fn what_leaves_on_the_bus_is_what_the_interpreter_says() {
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
             let is_apart = seed.is_multiple_of(2);
-            let coordinate = if is_apart { anywhere } else { near_grid };
+            let coordinate = if is_apart { anywhere } else { close_coordinate };
             let mut world = World::random(&config, coordinate, &mut random);
             let mut host = host(&world, seed);
             assert_eq!(host.read("id"), 0x5043_0c01);

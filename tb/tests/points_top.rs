@@ -19,7 +19,7 @@ use crate::process::cloud::BLOCK_CYCLES;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, lockstep, near_grid, word};
+use crate::search::{all, close_coordinate, lockstep, word};
 use crate::support::cases;
 
 const QUERIES: u64 = 24;
@@ -46,7 +46,7 @@ struct Host {
 impl Host {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
         let is_apart = feeds.random.bool();
-        let coordinate = if is_apart { anywhere } else { near_grid };
+        let coordinate = if is_apart { anywhere } else { close_coordinate };
         let world = World::random(config, coordinate, &mut feeds.random);
         let Asked { settings, k, radius2, iterations_max } = &world.asked;
         for (field, &value) in fields::<Settings>(&config.process).iter().zip(settings) {

@@ -12,7 +12,9 @@ use pointcore_hdl::search::top;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{Coordinate, all, configs, coordinate, fine_coordinate, lockstep, near_grid, number, query_at, word};
+use crate::search::{
+    Coordinate, all, close_coordinate, configs, coordinate, fine_coordinate, lockstep, number, query_at, word,
+};
 use crate::support::cases;
 
 const QUERIES: u64 = 40;
@@ -85,7 +87,7 @@ impl Host {
         let (coordinate, is_exact): (Coordinate, _) = match random.u8(..4) {
             0 | 1 => (coordinate, true),
             2 => (fine_coordinate, false),
-            _ => (near_grid, false),
+            _ => (close_coordinate, false),
         };
         let tree = Tree::over(coordinate, config, random);
         let mode = (config.neighbor_cache > 0).then(|| if random.bool() { Mode::Nearest } else { Mode::Ball });

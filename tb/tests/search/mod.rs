@@ -84,10 +84,9 @@ pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
     }
 }
 
-/// One on that grid, or off by one of its digits: the last ones say which point is nearer.
-pub fn near_grid(random: &mut fastrand::Rng) -> f32 {
-    let digit = if random.bool() { 0 } else { 1 << random.u32(..f32::MANTISSA_DIGITS - 1) };
-    f32::from_bits(coordinate(random).to_bits() ^ digit)
+/// One close to the others at any scale: where they are nearest, only their last digits say how far they are apart.
+pub fn close_coordinate(random: &mut fastrand::Rng) -> f32 {
+    1.0 + random.f32() * f32::powi(0.5, random.i32(0..f32::MANTISSA_DIGITS as i32))
 }
 
 /// Its multiples have fractions that are spread evenly, and all the bits of a mantissa.
