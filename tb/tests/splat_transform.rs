@@ -24,5 +24,8 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let passed: Vec<Splat> = device.run(&model, &splats, &scene::uniforms(&config));
         let passed = passed.len();
         assert!((SPLATS / 2..SPLATS).contains(&passed), "{passed} of {SPLATS} splats lie beyond the near plane");
+        let camera = scene::named(&config, scene::any_camera(&config, &mut random));
+        let passed: Vec<Splat> = device.run(&model, &splats[..SPLATS / 4], &camera);
+        assert!(passed.len() > SPLATS / 40, "{} of {} splats lie before the eye", passed.len(), SPLATS / 4);
     }
 }

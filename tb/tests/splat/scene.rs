@@ -65,8 +65,20 @@ pub fn registers(config: &Config) -> Uniforms {
 
 /// Their names and values.
 pub fn uniforms(config: &Config) -> Vec<(String, u64)> {
+    named(config, registers(config))
+}
+
+/// Names and values of uniform registers.
+pub fn named(config: &Config, uniforms: Uniforms) -> Vec<(String, u64)> {
     let names = fields::<Uniforms>(config).into_iter().map(|field| field.name);
-    names.zip(words(config, registers(config))).collect()
+    names.zip(words(config, uniforms)).collect()
+}
+
+/// Those of any camera, with its near plane in the eye.
+pub fn any_camera(config: &Config, random: &mut Rng) -> Uniforms {
+    let mut number = || pointcore::number::encode(config.geometry, 2.0 * random.f32() - 1.0);
+    let model_view = ModelView { rows: [(); 3].map(|()| [(); 4].map(|()| number())) };
+    Uniforms { model_view, near_plane: pointcore::number::encode(config.geometry, 0.0), ..registers(config) }
 }
 
 /// Fills the values of a record with random bits, as many as the field has.
