@@ -89,6 +89,13 @@ pub struct Tests {
     pub cases: Option<BTreeSet<usize>>,
 }
 
+impl Tests {
+    /// All cases of the tests with these names.
+    pub fn all(names: impl IntoIterator<Item = String>) -> Self {
+        Self { names: names.into_iter().collect(), cases: None }
+    }
+}
+
 /// A design, and the tests that build it.
 #[derive(Clone, Debug)]
 pub struct Subject {
@@ -161,7 +168,7 @@ impl Campaign {
         let source = key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned();
         let (before, mutants) = self.asked(name, source, mutants)?;
         progress(Event::Listed(mutants.len()));
-        let all = subjects.iter().flat_map(|subject| subject.tests.names.clone()).collect();
+        let all = Tests::all(subjects.iter().flat_map(|subject| subject.tests.names.clone()));
         // The first run without a mutant builds, those of each subject are timed.
         let without = |tests: &Tests, limit: Duration| {
             let begin = Instant::now();
@@ -171,7 +178,7 @@ impl Campaign {
             }
             Ok(begin.elapsed())
         };
-        without(&Tests { names: all, cases: None }, BUILD_LIMIT)?;
+        without(&all, BUILD_LIMIT)?;
         let mut limits = BTreeMap::new();
         for Mutant { subject, .. } in &mutants {
             if !limits.contains_key(&subject.substitute) {

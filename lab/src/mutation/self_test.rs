@@ -77,7 +77,7 @@ impl<'a> SelfTest<'a> {
         let others_path = work.join("others.v");
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
-        let (top, tests) = (module.clone(), Tests { names: [test.clone()].into(), cases: None });
+        let (top, tests) = (module.clone(), Tests::all([test.clone()]));
         let interfaces = self.interfaces()?;
         let modules = Modules::of(&verilog).names().map(str::to_owned).collect();
         let subject = Subject { verilog, modules, others, core, top, interfaces, tests, substitute: mutated };

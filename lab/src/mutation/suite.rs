@@ -71,7 +71,7 @@ impl Suite {
         let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
         let folder = scratch.path();
         // Test threads have the names of their tests only if there are several.
-        let all = Tests { names: [format!("{unit}::")].into(), cases: None };
+        let all = Tests::all([format!("{unit}::")]);
         let seen = self.run(&all, folder, 0, LIMIT, &["--test-threads=2"])?;
         if seen.is_found() {
             return Err(MutationError::Baseline { name: unit.to_owned(), output: format!("{seen:?}") });
