@@ -19,7 +19,7 @@ use crate::process::cloud::BLOCK_CYCLES;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, close_coordinate, lockstep, word};
+use crate::search::{all, cache_scales, close_coordinate, lockstep};
 use crate::support::cases;
 
 const QUERIES: u64 = 24;
@@ -70,10 +70,7 @@ impl Host {
         let search = &config.search;
         if search.neighbor_cache > 0 {
             feeds.hold("search_reach", 0);
-            // Makes up for the rounding of squares and roots; any smaller one reuses less.
-            let scales = [1.0 - 8.0 * 0.5_f32.powi(search.geometry.mantissa as i32), 0.5];
-            let mut smaller = || if feeds.random.bool() { 1.0 } else { 1.0 - 0.2 * feeds.random.f32() };
-            let [far, margin] = scales.map(|scale| word(search, scale * smaller()));
+            let [far, margin] = cache_scales(search, 0.5, &mut feeds.random);
             feeds.feed("setup", vec![0, far, margin]);
         } else {
             host.load(feeds);

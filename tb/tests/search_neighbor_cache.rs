@@ -82,8 +82,8 @@ fn configs() -> [Config; 4] {
 
 #[test]
 fn neighborhoods_agree_with_the_model_and_with_brute_force() {
-    let seen = RefCell::new(Seen::default());
     for config in cases(configs()) {
+        let seen = RefCell::new(Seen::default());
         let unit = neighbor_cache::unit(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let model =
             NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });
@@ -107,10 +107,10 @@ fn neighborhoods_agree_with_the_model_and_with_brute_force() {
                 assert_eq!(report.transfers("search"), misses);
             },
         );
-    }
-    let seen = seen.into_inner();
-    let Seen { cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty } = seen;
-    for count in [cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty] {
-        assert!(count > 0, "{seen:?}");
+        let seen = seen.into_inner();
+        let Seen { cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty } = seen;
+        for count in [cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty] {
+            assert!(count > 0, "{seen:?}");
+        }
     }
 }

@@ -13,7 +13,7 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
 use crate::search::{
-    Coordinate, all, close_coordinate, configs, coordinate, fine_coordinate, lockstep, number, query_at, word,
+    Coordinate, all, cache_scales, close_coordinate, configs, coordinate, fine_coordinate, lockstep, number, query_at, word,
 };
 use crate::support::cases;
 
@@ -109,13 +109,8 @@ impl Host {
 
     fn set_up(&self, feeds: &mut Feeds) {
         let Some(mode) = self.mode else { return self.load(feeds) };
-        let config = &self.tree.config;
-        // Makes up for the rounding of squares and roots.
-        let far_scale = 1.0 - 8.0 * 0.5_f32.powi(config.geometry.mantissa as i32);
         let margin_scale = if mode == Mode::Ball { 1.0 } else { 0.5 };
-        // Any smaller one reuses less.
-        let mut smaller = || if feeds.random.bool() { 1.0 } else { 1.0 - 0.2 * feeds.random.f32() };
-        let scales = [far_scale, margin_scale].map(|scale| word(config, scale * smaller()));
+        let scales = cache_scales(&self.tree.config, margin_scale, &mut feeds.random);
         feeds.feed("setup", [&[u64::from(mode == Mode::Ball)], &scales[..]].concat());
     }
 

@@ -125,6 +125,17 @@ pub fn number(config: &Config, word: u64) -> f32 {
     f32::from_bits((word as u32) << (f32::MANTISSA_DIGITS - 1 - config.geometry.mantissa))
 }
 
+/// What makes up for the rounding of squares and roots where a neighborhood is said to reach so far.
+pub fn safety(config: &Config) -> f32 {
+    1.0 - 8.0 * 0.5_f32.powi(config.geometry.mantissa as i32)
+}
+
+/// Both scales of a neighbor cache, or smaller ones, which promise less.
+pub fn cache_scales(config: &Config, margin_scale: f32, random: &mut fastrand::Rng) -> [u64; 2] {
+    let mut smaller = || if random.bool() { 1.0 } else { 1.0 - 0.2 * random.f32() };
+    [safety(config), margin_scale].map(|scale| word(config, scale * smaller()))
+}
+
 /// `start` for a thread, or without the thread `query`: number, k, squared radius, coordinates.
 pub fn query(config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
     query_at(fine_coordinate, config, number, random)

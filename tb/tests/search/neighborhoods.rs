@@ -7,7 +7,7 @@ use pointcore_contract::search::Config;
 
 use super::environment::{Feeds, Rule};
 use super::memory::Memory;
-use super::{number, word};
+use super::{number, safety, word};
 
 /// Queries of a phase; between phases settings and points change.
 pub const QUERIES: usize = 100;
@@ -203,8 +203,7 @@ impl Surroundings {
         let places: Vec<_> = places.collect();
         self.places = places.into_iter().map(|point| self.around(point)).collect();
         self.wanted = if !many || feeds.random.bool() { neighbors } else { feeds.random.usize(2..=neighbors) };
-        // Makes up for the rounding of squares and roots.
-        let safety = 1.0 - 8.0 * 0.5_f32.powi(self.config.geometry.mantissa as i32);
+        let safety = safety(&self.config);
         let (ball, far_scale, margin_scale) = match mode {
             Mode::Nearest => (0, safety, 0.5),
             Mode::NearestWithin(_) => (0, 1.5, 1.0 / 2.5),
