@@ -45,7 +45,8 @@ fn touching(config: &Config, footprint: &MovingFootprint, place: &Place, random:
     touching
 }
 
-/// Samples of moving splats of every family, some that touch what they are compared with, and some whose fields are noise: numbers of every size, infinities, no numbers.
+/// Samples of moving splats of every family. Some touch what they are compared with. Of some, fields are noise: numbers of every size,
+/// infinities, no numbers.
 fn places(config: &Config) -> Vec<MovingPlace> {
     let mut random = scene::random();
     let (camera, rendering) = (camera(config), rendering(config));

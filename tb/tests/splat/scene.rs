@@ -294,7 +294,7 @@ pub fn complete_copies(config: &Config, copies: Vec<SplatCopy>, random: &mut Rng
     copies.into_iter().filter(|copy| !copy.end).map(place).collect()
 }
 
-/// Gives one copy in `one_in` edges that are anything, none of its rows without a sample, and one in as many a tile that is.
+/// Gives one copy in `one_in` any edges that leave a sample in each of its rows, and one in as many any tile.
 pub fn scatter(config: &Config, copies: &mut [CompleteCopy], one_in: u32, random: &mut Rng) {
     let per_pixel = config.sampling.columns();
     for copy in copies {
