@@ -74,11 +74,11 @@ pub fn named(config: &Config, uniforms: Uniforms) -> Vec<(String, u64)> {
     names.zip(words(config, uniforms)).collect()
 }
 
-/// Those of any camera, with its near plane in the eye.
-pub fn any_camera(config: &Config, random: &mut Rng) -> Uniforms {
+/// Those of any camera, with its near plane there.
+pub fn any_camera(config: &Config, near_plane: f32, random: &mut Rng) -> Uniforms {
     let mut number = || pointcore::number::encode(config.geometry, 2.0 * random.f32() - 1.0);
     let model_view = ModelView { rows: [(); 3].map(|()| [(); 4].map(|()| number())) };
-    Uniforms { model_view, near_plane: pointcore::number::encode(config.geometry, 0.0), ..registers(config) }
+    Uniforms { model_view, near_plane: pointcore::number::encode(config.geometry, near_plane), ..registers(config) }
 }
 
 /// Fills the values of a record with random bits, as many as the field has.
