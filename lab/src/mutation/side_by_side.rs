@@ -189,7 +189,7 @@ impl Border {
 
     /// The same where only these outputs are compared, as yosys lists them: `gate/sum.y` is one. All have to be there.
     pub fn with_compared(self, listed: &str) -> Option<Self> {
-        let name = |line: &str| Some(line.strip_prefix(VERSIONS[1])?.strip_prefix('/')?.to_owned());
+        let name = |line| listed_name(line).map(str::to_owned);
         let compared: BTreeSet<String> = listed.lines().map(name).collect::<Option<_>>()?;
         let is_there = |name: &String| self.ports.iter().any(|port| port.name == *name);
         compared.iter().all(is_there).then_some(Self { compared: Some(compared), ..self })
@@ -210,6 +210,21 @@ impl Border {
         let mut border = self.clone();
         border.ports.retain(|port| port.name != RESET);
         border
+    }
+
+    /// What those operators answer that are given something these outputs say, as yosys lists them: `gate/sum.a` is one.
+    pub fn answers(&self, listed: &str) -> Vec<String> {
+        let is_listed = |name: &str| listed.lines().filter_map(listed_name).any(|listed| listed == name);
+        let is_given = |operator: &&Operator| {
+            is_listed(&operator.enable) || operator.operands.iter().any(|operand| is_listed(operand))
+        };
+        self.operators.iter().filter(is_given).map(|operator| operator.result.clone()).collect()
+    }
+
+    /// The same where only operators with one of these answers may be given something else.
+    pub fn with_operators(self, answers: &[String]) -> Self {
+        let operators = self.operators.into_iter().filter(|operator| answers.contains(&operator.result)).collect();
+        Self { operators, ..self }
     }
 
     /// The operator whose port this is.
@@ -296,6 +311,11 @@ impl Border {
              always @* assume (!waits_{place} || {item} == item_{place});\n"
         )
     }
+}
+
+/// The name in a line that yosys lists of the second version.
+fn listed_name(line: &str) -> Option<&str> {
+    line.strip_prefix(VERSIONS[1])?.strip_prefix('/')
 }
 
 /// Says in which stages an operator of the second version has something else: it was given that, or it did not go on with the other.

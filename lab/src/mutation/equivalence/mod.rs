@@ -30,8 +30,9 @@ const OPERATORS: &str = "float_";
 /// With more text than this, but for operators', a module is a whole core: the prover comes to no end with it.
 const LARGEST_BYTES: usize = 120_000;
 
-/// With more text than this, a module in it is a datapath of its own: it stays out where the fault is elsewhere.
-const LARGEST_INNER_BYTES: usize = 50_000;
+/// With more text than this, a module is a datapath of its own: it stays out where the fault is elsewhere, and is compared near the
+/// fault alone where it is in there.
+const LARGEST_MODULE_BYTES: usize = 50_000;
 
 /// What became of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,8 +56,8 @@ impl fmt::Display for Proof {
 }
 
 /// Compares a design with its mutant: an operator of one operand on all of them, else first the module that is mutated, whatever
-/// the modules in it do, which is small; then with what is in it but large memories and operators, unless that is large; then what
-/// surrounds it, likewise, which may hide the difference or keep it from coming about.
+/// the modules in it do, which is small, of a datapath what is near; then with what is in it but large memories and operators, unless
+/// that is large; then what surrounds it, likewise, which may hide the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let module = argument(mutation, "-module").unwrap_or(&subject.top);
     let text = format!("{}\n{}", subject.verilog, subject.others);
@@ -110,16 +111,14 @@ impl Prover<'_> {
         let mutated = inside.iter().filter(|inner| has_mutated_port(inner) || holds_mutated(inner));
         let mutated: BTreeSet<&str> = mutated.map(|inner| inner.of).collect();
         let is_far = |module: &str| !modules.within(module, is_core).contains(&self.mutated);
-        let is_large_inside = |module: &str| modules.bytes(&[module]) > LARGEST_INNER_BYTES && is_far(module);
-        let stays_out = |module: &str| is_core(module) || module.starts_with(OPERATORS) || is_large_inside(module);
-        let within = modules.within(name, stays_out);
-        let placed = within.iter().flat_map(|module| modules.inside(module));
-        let out = placed.filter(|inner| is_hard(inner) || stays_out(inner.of)).map(|inner| inner.of);
-        let whole = out.filter(|inner| *inner != self.mutated).collect();
+        let is_datapath = |module: &str| modules.bytes(&[module]) > LARGEST_MODULE_BYTES;
+        let computes = |module: &str| is_core(module) || module.starts_with(OPERATORS);
+        let (_, hard) = self.parted(name, computes);
+        let (within, whole) = self.parted(name, |module| computes(module) || is_datapath(module) && is_far(module));
         let inside: Vec<&str> = inside.iter().map(|inner| inner.of).collect();
         let open: BTreeSet<&str> =
             inside.iter().copied().filter(|inner| is_core(inner) || !mutated.contains(inner)).collect();
-        let is_large = |within: &[&str]| modules.bytes(within) > LARGEST_BYTES;
+        let is_large = |within: &[&str]| is_datapath(name) || modules.bytes(within) > LARGEST_BYTES;
         let is_small = !is_large(&modules.within(name, |inner| open.contains(inner)));
         let exhausted = if is_mutated { self.exhaust(name)? } else { None };
         let mut proof = exhausted.unwrap_or(Proof::Open);
@@ -127,9 +126,17 @@ impl Prover<'_> {
             if self.is_hidden_near(module, &open, Operators::Strict)? {
                 return Ok(Proof::Equivalent);
             }
-            proof = self.compare(module, &open)?;
+            if is_small {
+                proof = self.compare(module, &open)?;
+            }
             if proof != Proof::Equivalent && self.is_hidden_near(module, &open, Operators::Tolerant)? {
                 return Ok(Proof::Equivalent);
+            }
+            // What stands in it may have the phases in which it is looked at.
+            for operators in [Operators::Strict, Operators::Tolerant] {
+                if proof != Proof::Equivalent && open != hard && self.is_hidden_near(module, &hard, operators)? {
+                    return Ok(Proof::Equivalent);
+                }
             }
         }
         if proof != Proof::Equivalent && open != whole && !is_large(&within) {
@@ -145,6 +152,15 @@ impl Prover<'_> {
             }
         }
         Ok(proof)
+    }
+
+    /// What stands in a module but what `stays_out`, and what is taken out of it: that, and what is hard.
+    fn parted(&self, name: &str, stays_out: impl Fn(&str) -> bool) -> (Vec<&str>, BTreeSet<&str>) {
+        let within = self.modules.within(name, &stays_out);
+        let placed = within.iter().flat_map(|module| self.modules.inside(module));
+        let out = placed.filter(|inner| is_hard(inner) || stays_out(inner.of)).map(|inner| inner.of);
+        let out = out.filter(|inner| *inner != self.mutated).collect();
+        (within, out)
     }
 
     /// What yosys calls the mutated cell in a module: around the one that is mutated, where all is one, its name ends so.

@@ -1,6 +1,6 @@
 //! Both versions of a module as yosys has them side by side.
 
-use super::way::{Marks, Operators, Way};
+use super::way::{self, Marks, Way};
 use super::{Proof, Prover, one_reset, plain, search};
 use crate::mutation::MutationError;
 use crate::mutation::schemata::NETLIST;
@@ -69,7 +69,7 @@ impl Prover<'_> {
         folder.write(
             "miter.ys",
             &format!(
-                "read_rtlil versions.il\n{miter}chformal -lower\nhierarchy -top miter\nmemory_map\nopt_clean\n\
+                "read_rtlil versions.il\n{miter}chformal -lower\nhierarchy -top miter\nopt_clean\nmemory_map\nopt_clean\n\
                  techmap\nopt_clean\ndffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
                  zinit -all\naigmap\nopt_clean\nwrite_aiger -zinit miter.aig\n"
             ),
@@ -94,9 +94,10 @@ impl Prover<'_> {
         let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
         let read =
             format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
+        let memory = way.memory();
         let flat = |name: &str, before: &str, after: &str| {
             format!(
-                "{read}memory\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
+                "{read}{memory}\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
                  setundef -undriven -zero\nsetundef -zero\ndesign -stash {name}\n"
             )
         };
@@ -141,8 +142,17 @@ impl Prover<'_> {
         };
         let known = self.border(plain(module), open).unwrap_or_default().with_ports(&folder.read("ports")?);
         let border = if has_one_reset { known.after_reset() } else { known };
-        let border = if around.operators == Operators::Strict { border.without_operators() } else { border };
-        let compared = border.with_compared(&folder.read("reached")?);
+        let mut answers = Vec::new();
+        for _ in 0..around.operators.in_a_row() {
+            let reached = border.answers(&folder.read("reached")?);
+            if reached == answers {
+                break;
+            }
+            answers = reached;
+            folder.write("reached.ys", &format!("read_rtlil versions.il\n{}", way::reached(&answers)))?;
+            self.prepare(folder, "reached.ys", way);
+        }
+        let compared = border.with_operators(&answers).with_compared(&folder.read("reached")?);
         Ok(Some(compared.expect("what yosys lists of a module's outputs is among its ports")))
     }
 }

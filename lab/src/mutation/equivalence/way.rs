@@ -22,6 +22,14 @@ impl Way<'_> {
     pub const fn has_one_reset(self) -> bool {
         !matches!(self, Self::At(_))
     }
+
+    /// What yosys makes of memories: registers, or what they are until it is known which of them are near.
+    pub const fn memory(self) -> &'static str {
+        match self {
+            Self::At(_) | Self::InTurns(_) => "memory",
+            Self::Around(_) => "memory -nordff -nomap",
+        }
+    }
 }
 
 /// Near what, and how.
@@ -43,6 +51,16 @@ pub(super) enum Operators {
     Tolerant,
 }
 
+impl Operators {
+    /// So many of them, one behind the other, may be given something else: what is near is small.
+    pub const fn in_a_row(self) -> u32 {
+        match self {
+            Self::Strict => 0,
+            Self::Tolerant => 3,
+        }
+    }
+}
+
 /// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
 const NEAR: usize = 3;
 
@@ -58,10 +76,11 @@ const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %
 /// Has both versions show their registers but for these and those that are marked as near.
 const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";
 
-/// Lists the outputs that see what is near, or an operator's answer where that may differ: all others depend on the same in both.
-const REACHED: &str = "tee -q -o reached select -list gate/a:near";
-const ANSWERS: &str = " gate/i:*.* %u";
-const OUTPUTS: &str = " %co* gate/o:* %i\n";
+/// Lists the outputs that see what is near, or an operator's answer, one of `answers`: all others depend on the same in both.
+pub(super) fn reached(answers: &[String]) -> String {
+    let answers: String = answers.iter().map(|answer| format!(" gate/i:{answer} %u")).collect();
+    format!("tee -q -o reached select -list gate/a:near{answers} %co* gate/o:* %i\n")
+}
 
 /// What a way has yosys do with the mutant.
 #[derive(Default)]
@@ -78,10 +97,10 @@ impl Way<'_> {
     /// What is marked as near, and shown.
     pub fn marks(self) -> Marks {
         let Self::Around(around) = self else { return Marks::default() };
-        let shown = |answers: &str| format!("{CONTROL}{SHOWN}{REACHED}{answers}{OUTPUTS}");
+        let shown = format!("{CONTROL}{SHOWN}{}", reached(&[]));
         match around.operators {
-            Operators::Strict => Marks { after: around.mark(), shown: shown(""), ..Marks::default() },
-            Operators::Tolerant => Marks { before: around.mark(), shown: shown(ANSWERS), ..Marks::default() },
+            Operators::Strict => Marks { after: around.mark(), shown, ..Marks::default() },
+            Operators::Tolerant => Marks { before: around.mark(), shown, ..Marks::default() },
         }
     }
 }
