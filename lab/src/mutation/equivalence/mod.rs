@@ -70,6 +70,9 @@ fn argument<'a>(mutation: &'a str, name: &str) -> Option<&'a str> {
     mutation.split(' ').skip_while(|word| *word != name).nth(1)
 }
 
+/// What the names of cells begin with that are yosys' own, not instances.
+const INTERNAL: char = '$';
+
 /// What yosys calls registers.
 const REGISTER: &str = "$procdff";
 
@@ -224,7 +227,9 @@ impl Prover<'_> {
     /// Whether no register near the mutated cell shows a difference where it is looked at: whatever operators do, or as what they are
     /// given says. A register that inverts a bit may also begin with it the other way.
     fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>, operators: Operators) -> Result<bool, MutationError> {
-        let Some(cell) = self.cell.map(|cell| self.name_in(plain(module), cell)) else { return Ok(false) };
+        // Near a port of an instance is what it connects, not what bears its name.
+        let Some(cell) = self.cell.filter(|cell| cell.starts_with(INTERNAL)) else { return Ok(false) };
+        let cell = self.name_in(plain(module), cell);
         let has_operators = self.border(plain(module), open).is_some_and(|border| border.has_operators());
         if operators == Operators::Tolerant && !has_operators {
             return Ok(false);

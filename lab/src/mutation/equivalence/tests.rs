@@ -293,6 +293,43 @@ fn what_a_register_inside_holds_is_looked_at_outside() {
 }
 
 #[test]
+fn nothing_is_claimed_near_a_port_of_what_stands_inside() {
+    let Some(yosys) = yosys() else { return };
+    let text = "module inner (input clk, input x, output reg kept);\nalways @(posedge clk) kept <= x;\nendmodule\n\
+        module top (input clk, input rst, input x, output shown);\n\
+        inner within (\n.clk(clk), .x(x), .kept(shown));\nendmodule\n";
+    let subject = &subject(text, "", None, "top");
+    for port in ["-port x", "-port kept"] {
+        let mutation = &listed(&yosys, subject, "top", &["-mode inv", "-cell within", port]);
+        let hidden =
+            prover(&yosys, subject, "top", mutation).is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
+        assert!(!hidden.unwrap_or_else(|error| panic!("{error}")), "{mutation}");
+        assert_eq!(proof(subject, mutation), Some(Proof::Different), "{mutation}");
+    }
+}
+
+#[test]
+fn what_nothing_drives_any_more_is_seen_where_it_led() {
+    let Some(yosys) = yosys() else { return };
+    let modules = "module float_neg_s1_f8(input clk, input enable, input [1:0] a, output reg [1:0] y);\n\
+        always @(posedge clk) if (enable) y <= ~a;\nendmodule\n\
+        module inner (input clk, input x, output reg kept);\nalways @(posedge clk) kept <= x;\nendmodule\n";
+    let top = "module top (input clk, input rst, input [1:0] x, output shown, output [1:0] z);\n\
+        wire both = x[0] & x[1];\nfloat_neg_s1_f8 negation (\n.clk(clk), .enable(1'd1), .a(x), .y(z));\n\
+        inner inner (\n.clk(clk), .x(both), .kept(shown));\nendmodule\n";
+    let interfaces = vec![
+        interface("float_neg_s1_f8", &[("clk", 1, In), ("enable", 1, In), ("a", 2, In), ("y", 2, Out)], Vec::new()),
+        interface("inner", &[("clk", 1, In), ("x", 1, In), ("kept", 1, Out)], Vec::new()),
+        interface("top", &[("clk", 1, In), ("rst", 1, In), ("x", 2, In), ("shown", 1, Out), ("z", 2, Out)], Vec::new()),
+    ];
+    let subject = &Subject { interfaces, ..subject(&format!("{modules}{top}"), "", None, "top") };
+    let mutation = &listed(&yosys, subject, "top", &["-mode const1", "-cell $and", "-port Y"]);
+    let open = BTreeSet::from(["float_neg_s1_f8", "inner"]);
+    let hidden = prover(&yosys, subject, "top", mutation).is_hidden_near("top", &open, Operators::Tolerant);
+    assert!(!hidden.unwrap_or_else(|error| panic!("{error}")), "{mutation}");
+}
+
+#[test]
 fn what_no_stream_offers_does_not_count_and_what_waits_is_held() {
     let unit = "module unit(input clk, input rst, input in_valid, input in_x, output in_ready, output out_valid,\n\
         output out_x, output broken);\n\
