@@ -20,6 +20,7 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let mut random = scene::random();
         scene::spoil(&config, &mut splats, 16, &mut random);
         scene::flatten(&mut splats, 16, &mut random);
+        scene::scale(&config, &mut splats, 8, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);
         let passed: Vec<SetupSplat> = device.run(&model, &splats, &scene::uniforms(&config));
         let passed = passed.len();

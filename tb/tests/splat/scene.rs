@@ -154,6 +154,24 @@ pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut
     }
 }
 
+/// Gives one splat in `one_in`, or its tangents alone, another magnitude: any that the format has.
+pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { center, tangents: [first, second], .. } in splats {
+        if random.u32(0..one_in) == 0 {
+            let factor = 2_f64.powi(random.i32(-126..=127));
+            let scaled = |number: u32| f64::from(decode(config.geometry, number)) * factor;
+            let scale = |vector: &mut [u32; 3]| {
+                *vector = vector.map(|number| pointcore::number::encode(config.geometry, scaled(number) as f32));
+            };
+            scale(first);
+            scale(second);
+            if random.bool() {
+                scale(center);
+            }
+        }
+    }
+}
+
 /// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
 pub fn flatten(splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     for Splat { tangents: [first, second], .. } in splats {
