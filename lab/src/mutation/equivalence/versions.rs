@@ -144,13 +144,12 @@ impl Prover<'_> {
         let border = if has_one_reset { known.after_reset() } else { known };
         let mut answers = Vec::new();
         for _ in 0..around.operators.in_a_row() {
-            let reached = border.answers(&folder.read("reached")?);
-            if reached == answers {
+            let more = border.answers(&folder.read("reached")?);
+            folder.write("reached.ys", &format!("read_rtlil versions.il\n{}", way::reached(&more)))?;
+            if more == answers || !self.prepare(folder, "reached.ys", way) {
                 break;
             }
-            answers = reached;
-            folder.write("reached.ys", &format!("read_rtlil versions.il\n{}", way::reached(&answers)))?;
-            self.prepare(folder, "reached.ys", way);
+            answers = more;
         }
         let compared = border.with_operators(&answers).with_compared(&folder.read("reached")?);
         Ok(Some(compared.expect("what yosys lists of a module's outputs is among its ports")))
