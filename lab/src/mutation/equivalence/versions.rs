@@ -145,8 +145,11 @@ impl Prover<'_> {
         let mut answers = Vec::new();
         for _ in 0..around.operators.in_a_row() {
             let more = border.answers(&folder.read("reached")?);
+            if more == answers {
+                break;
+            }
             folder.write("reached.ys", &format!("read_rtlil versions.il\n{}", way::reached(&more)))?;
-            if more == answers || !self.prepare(folder, "reached.ys", way) {
+            if !self.prepare(folder, "reached.ys", way) {
                 break;
             }
             answers = more;
