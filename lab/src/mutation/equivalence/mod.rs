@@ -8,6 +8,7 @@
 
 mod exhausted;
 mod one_reset;
+mod planted;
 mod search;
 mod versions;
 mod way;
@@ -171,15 +172,6 @@ impl Prover<'_> {
         if module == self.mutated { cell.to_owned() } else { format!("$flatten*.{cell}") }
     }
 
-    /// Says that the mutated cell is not between a reset and a register, before it is mutated: what registers hold in a reset that
-    /// does not get to them is not asked.
-    fn no_reset_goes_through(&self) -> String {
-        let [of, cell] = [self.mutated, self.cell.unwrap_or_default()];
-        let each = |object: &str| format!("{of}/{object} $paramod*\\\\{of}/{object} %u");
-        let resets = [each("i:rst"), each("w:one_reset")].join(" ");
-        format!("select -assert-none {} {resets} %u %co*:-$dff %i\n", each(&format!("c:{cell}")))
-    }
-
     /// The border of a module as the generator knows it.
     fn known(&self, module: &str) -> Option<Border> {
         self.subject.interfaces.iter().find(|interface| interface.name == module).map(Border::from)
@@ -224,19 +216,19 @@ impl Prover<'_> {
         Ok(proof)
     }
 
-    /// Whether no register near the mutated cell shows a difference where it is looked at: whatever operators do, or as what they are
+    /// Whether no register near the fault shows a difference where it is looked at: whatever operators do, or as what they are
     /// given says. A register that inverts a bit may also begin with it the other way.
     fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>, operators: Operators) -> Result<bool, MutationError> {
-        // Near a port of an instance is what it connects, not what bears its name.
-        let Some(cell) = self.cell.filter(|cell| cell.starts_with(INTERNAL)) else { return Ok(false) };
-        let cell = self.name_in(plain(module), cell);
+        let Some(cell) = self.cell else { return Ok(false) };
+        // An instance's other ports lead elsewhere.
+        let cell = cell.starts_with(INTERNAL).then(|| self.name_in(plain(module), cell));
         let has_operators = self.border(plain(module), open).is_some_and(|border| border.has_operators());
         if operators == Operators::Tolerant && !has_operators {
             return Ok(false);
         }
         for begins_set in [false, true] {
-            let around = Way::Around(Around { cell: &cell, operators, begins_set });
-            let is_tried = !begins_set || cell.contains(REGISTER);
+            let around = Way::Around(Around { cell: cell.as_deref(), operators, begins_set });
+            let is_tried = !begins_set || cell.as_ref().is_some_and(|cell| cell.contains(REGISTER));
             if is_tried && self.compare_as(module, open, around)? == Proof::Equivalent {
                 return Ok(true);
             }

@@ -199,7 +199,7 @@ fn proof_near(yosys: &Tool, text: &str, mutated: &str, words: &[&str]) -> Proof 
     let mutation = &listed(yosys, subject, mutated, words);
     let prover = prover(yosys, subject, mutated, mutation);
     let cell = &prover.name_in("top", prover.cell.expect("it has a cell"));
-    let around = Around { cell, operators: Operators::Strict, begins_set: false };
+    let around = Around { cell: Some(cell), operators: Operators::Strict, begins_set: false };
     let [near, in_turns] = [Way::Around(around), Way::InTurns(None)]
         .map(|way| prover.compare_as("top", &BTreeSet::new(), way).unwrap_or_else(|error| panic!("{error}")));
     assert_eq!(near, in_turns, "{mutation}");
@@ -293,18 +293,34 @@ fn what_a_register_inside_holds_is_looked_at_outside() {
 }
 
 #[test]
-fn nothing_is_claimed_near_a_port_of_what_stands_inside() {
+fn a_port_of_what_stands_inside_counts_where_something_looks_at_it() {
     let Some(yosys) = yosys() else { return };
-    let text = "module inner (input clk, input x, output reg kept);\nalways @(posedge clk) kept <= x;\nendmodule\n\
-        module top (input clk, input rst, input x, output shown);\n\
-        inner within (\n.clk(clk), .x(x), .kept(shown));\nendmodule\n";
+    let text = "module inner (input clk, input x, input ignored, output reg kept, output ready);\n\
+        always @(posedge clk) kept <= x;\nassign ready = x;\nendmodule\n\
+        module top (input clk, input rst, input x, output shown);\nwire ready;\n\
+        inner within (\n.clk(clk), .x(x), .ignored(x), .kept(shown), .ready(ready));\nendmodule\n";
     let subject = &subject(text, "", None, "top");
-    for port in ["-port x", "-port kept"] {
-        let mutation = &listed(&yosys, subject, "top", &["-mode inv", "-cell within", port]);
-        let hidden =
-            prover(&yosys, subject, "top", mutation).is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
-        assert!(!hidden.unwrap_or_else(|error| panic!("{error}")), "{mutation}");
-        assert_eq!(proof(subject, mutation), Some(Proof::Different), "{mutation}");
+    for (port, is_seen) in [("x", true), ("kept", true), ("ignored", false), ("ready", false)] {
+        for mode in ["-mode inv", "-mode const1"] {
+            let mutation = &listed(&yosys, subject, "top", &[mode, "-cell within", &format!("-port {port} ")]);
+            let prover = prover(&yosys, subject, "top", mutation);
+            let hidden = prover.is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
+            assert_eq!(hidden.unwrap_or_else(|error| panic!("{error}")), !is_seen, "{mutation}");
+            let proof = proof(subject, mutation);
+            assert_eq!(proof, Some(if is_seen { Proof::Different } else { Proof::Equivalent }), "{mutation}");
+        }
+    }
+}
+
+#[test]
+fn a_stuck_bit_is_seen_where_it_alone_led() {
+    let Some(yosys) = yosys() else { return };
+    let text = "module top (input clk, input rst, input [1:0] x, output reg low, output reg high);\n\
+        wire [1:0] sum = x + 2'd1;\n\
+        always @(posedge clk) begin low <= sum[0]; high <= sum[1]; end\nendmodule\n";
+    for bit in [0, 1] {
+        let stuck = ["-mode const1", "-cell $add", "-port Y", &format!("-wirebit {bit}")];
+        assert_eq!(proof_near(&yosys, text, "top", &stuck), Proof::Different, "{bit}");
     }
 }
 

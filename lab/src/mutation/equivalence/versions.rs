@@ -1,5 +1,6 @@
 //! Both versions of a module as yosys has them side by side.
 
+use super::planted::FAULT;
 use super::way::{self, Marks, Way};
 use super::{Proof, Prover, one_reset, plain, search};
 use crate::mutation::MutationError;
@@ -82,7 +83,7 @@ impl Prover<'_> {
 
     /// What makes both versions of a module, flat and with what is open turned round.
     fn versions(&self, module: &str, open: &BTreeSet<&str>, way: Way<'_>) -> String {
-        let Self { subject, mutation, .. } = self;
+        let Self { subject, .. } = self;
         let top = &subject.top;
         let library = match subject.core {
             Some(_) => format!("read_verilog -overwrite library.v\nhierarchy -top {top}\nproc\n"),
@@ -95,16 +96,18 @@ impl Prover<'_> {
         let read =
             format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
         let memory = way.memory();
-        let flat = |name: &str, before: &str, after: &str| {
+        let flat = |name: &str, found: &str, before: &str, after: &str| {
             format!(
-                "{read}{memory}\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
+                "{read}{found}{memory}\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
                  setundef -undriven -zero\nsetundef -zero\ndesign -stash {name}\n"
             )
         };
         let Marks { before, after, shown } = way.marks();
-        let unreset = if way.has_one_reset() { self.no_reset_goes_through() } else { String::new() };
+        let [fault, tie] = self.planted();
+        let found = if self.cell.is_some() { format!("select -assert-any */{FAULT}\n") } else { String::new() };
+        let unreset = if way.has_one_reset() { self.no_reset_goes_through(module) } else { String::new() };
         let [gold, gate] = side_by_side::VERSIONS;
-        let [gold, gate] = [flat(gold, "", ""), flat(gate, &before, &after)];
+        let [gold, gate] = [flat(gold, "", "", ""), flat(gate, &found, &before, &after)];
         let source = |options: &str, name: &str| {
             format!("read_verilog -lib library.v\nread_verilog {options} {name}\nhierarchy -top {top}\n{NETLIST}")
         };
@@ -112,7 +115,7 @@ impl Prover<'_> {
         // The mutant comes first: its cells have the names of a first reading.
         // No pass here may take a value for another because it is open: what is open was set to zero in both.
         format!(
-            "{mutated}{unreset}{mutation}\n{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
+            "{mutated}{fault}{unreset}{tie}{gate}design -reset\n{assuming}chformal -assert2assume\n{gold}design -reset\n\
              design -copy-from gold gold\ndesign -copy-from gate gate\n\
              {shown}tee -q -o ports portlist gold\nwrite_rtlil versions.il\n"
         )

@@ -1,5 +1,6 @@
 //! Ways to compare a module with its mutant.
 
+use super::planted::FAULT;
 use crate::mutation::side_by_side::Border;
 
 /// How a module is compared with its mutant.
@@ -35,8 +36,8 @@ impl Way<'_> {
 /// Near what, and how.
 #[derive(Clone, Copy)]
 pub(super) struct Around<'a> {
-    /// The mutated cell.
-    pub cell: &'a str,
+    /// The mutated cell, if it is no instance.
+    pub cell: Option<&'a str>,
     pub operators: Operators,
     /// The bit that is mutated in a register's output begins the other way.
     pub begins_set: bool,
@@ -65,7 +66,7 @@ impl Operators {
 const NEAR: usize = 3;
 
 /// What yosys calls the bit of a port that it mutates, before it is mutated.
-const MUTATED_BIT: &str = "gate/w:$auto$mutate.cc:*";
+const MUTATED_BIT: &str = "gate/w:*$auto$mutate.cc:*";
 
 /// In yosys' words, the next registers behind what is selected.
 const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
@@ -106,14 +107,18 @@ impl Way<'_> {
 }
 
 impl Around<'_> {
-    /// Marks what is near. The cell must be there.
+    /// Marks what is near. Where nothing looks at the fault, that may be nothing.
     fn mark(self) -> String {
         let Self { cell, begins_set, .. } = self;
-        let bit = if begins_set {
-            format!("setattr -set init 1'b1 gate/c:{cell} %co:+$dff[Q] {MUTATED_BIT} %i\n")
-        } else {
-            String::new()
-        };
-        format!("select -assert-any gate/c:{cell}\n{bit}setattr -set near 1 gate/c:{cell}{}\n", NEXT.repeat(NEAR))
+        let cell = cell.map(|cell| format!("gate/c:{cell}"));
+        let mut seeds = format!("gate/{FAULT}");
+        let mut bit = String::new();
+        if let Some(cell) = cell {
+            if begins_set {
+                bit = format!("setattr -set init 1'b1 {cell} %co:+$dff[Q] {MUTATED_BIT} %i\n");
+            }
+            seeds += &format!(" {cell} %u");
+        }
+        format!("{bit}setattr -set near 1 {seeds}{}\n", NEXT.repeat(NEAR))
     }
 }
