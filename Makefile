@@ -25,7 +25,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim sim_axi synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn process plan gen quick test formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn process plan gen quick test formal check-formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -82,6 +82,9 @@ test: setup-tests ## Run all tests, and say which were skipped
 
 formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (formal/README.md), and that every proof finds faults
 	@./scripts/formal $(UNIT)
+
+check-formal: setup-formal ## Prove what formal/record does not hold as it is now
+	@./scripts/formal --new
 
 cocotb: setup-cocotb ## Run frames and searches through the tops on AXI, with a bus that stalls and errs (cocotb/README.md)
 	@$(TOOLS)/bin/python cocotb/run.py $(CONFIGURATIONS)
