@@ -301,14 +301,10 @@ fn a_port_of_what_stands_inside_counts_where_something_looks_at_it() {
         inner within (\n.clk(clk), .x(x), .ignored(x), .kept(shown), .ready(ready));\nendmodule\n";
     let subject = &subject(text, "", None, "top");
     for (port, is_seen) in [("x", true), ("kept", true), ("ignored", false), ("ready", false)] {
-        for mode in ["-mode inv", "-mode const1"] {
-            let mutation = &listed(&yosys, subject, "top", &[mode, "-cell within", &format!("-port {port} ")]);
-            let prover = prover(&yosys, subject, "top", mutation);
-            let hidden = prover.is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
-            assert_eq!(hidden.unwrap_or_else(|error| panic!("{error}")), !is_seen, "{mutation}");
-            let proof = proof(subject, mutation);
-            assert_eq!(proof, Some(if is_seen { Proof::Different } else { Proof::Equivalent }), "{mutation}");
-        }
+        let mutation = &listed(&yosys, subject, "top", &["-mode inv", "-cell within", &format!("-port {port} ")]);
+        let prover = prover(&yosys, subject, "top", mutation);
+        let hidden = prover.is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
+        assert_eq!(hidden.unwrap_or_else(|error| panic!("{error}")), !is_seen, "{mutation}");
     }
 }
 
