@@ -11,9 +11,6 @@ pub(super) const FAULT: &str = "c:*planted_fault_*";
 /// The first of them, without the path to its module.
 const FIRST: &str = "planted_fault_0";
 
-/// What an option of yosys' mutations says of a constant, before its value.
-const STUCK: &str = "-mode const";
-
 impl Prover<'_> {
     /// What plants the fault, and what ties it to its constant, if it has one. Without a cell, as in tests, it is as yosys has it.
     pub(super) fn planted(&self) -> [String; 2] {
@@ -23,15 +20,14 @@ impl Prover<'_> {
         }
         let named =
             |mutation: &str| format!("{mutation}\nrename -enumerate -pattern planted_fault_% */c:$auto$mutate.cc:*\n");
+        let (mode, opposite) = match argument(mutation, "-mode") {
+            Some(mode @ "const0") => (mode, 1),
+            Some(mode @ "const1") => (mode, 0),
+            _ => return [named(mutation), String::new()],
+        };
         let module = argument(mutation, "-module").unwrap_or(&self.subject.top);
-        let stuck = ["0", "1"].into_iter().zip([1, 0]).find(|(value, _)| mutation.contains(&format!("{STUCK}{value}")));
-        match stuck {
-            Some((value, opposite)) => [
-                named(&mutation.replace(&format!("{STUCK}{value}"), "-mode inv")),
-                format!("cd {module}\nconnect -port {FIRST} A 1'b{opposite}\ncd ..\n"),
-            ],
-            None => [named(mutation), String::new()],
-        }
+        let inverted = mutation.replace(&format!("-mode {mode}"), "-mode inv");
+        [named(&inverted), format!("cd {module}\nconnect -port {FIRST} A 1'b{opposite}\ncd ..\n")]
     }
 
     /// Says that the fault, not yet tied, is not between a reset and a register: what registers hold in a reset that does not

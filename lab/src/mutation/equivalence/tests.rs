@@ -305,6 +305,8 @@ fn a_port_of_what_stands_inside_counts_where_something_looks_at_it() {
         let prover = prover(&yosys, subject, "top", mutation);
         let hidden = prover.is_hidden_near("top", &BTreeSet::new(), Operators::Strict);
         assert_eq!(hidden.unwrap_or_else(|error| panic!("{error}")), !is_seen, "{mutation}");
+        let expected = if is_seen { Proof::Different } else { Proof::Equivalent };
+        assert_eq!(proof(subject, mutation), Some(expected), "{mutation}");
     }
 }
 
