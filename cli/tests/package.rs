@@ -1,6 +1,7 @@
 //! What is written for a configuration: whole, and accepted by the usual tools.
 
 use crate::command::{Workplace, json};
+use pointcore_tb::verilated::Optimization;
 use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
@@ -35,11 +36,12 @@ fn simulated_on_axi(core: &str, folder: &Path) -> (bool, String) {
 fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) {
     let program = folder.join(format!("obj_dir/V{core}_test"));
     if !program.exists() {
+        let optimization = Optimization::Quick.compiler_arguments().join(" ");
         let compiled = Command::new("verilator")
             .args(["--binary", "--x-initial", "unique", "--top-module", &format!("{core}_test")])
             // One unit of C++: headers are long. What `-CFLAGS` says of optimization, Verilator's makefile takes back. At -O0 a test on AXI
             // takes a third less to compile and twice as long to run, which is more.
-            .args(["-MAKEFLAGS", "VM_PARALLEL_BUILDS=0 OPT_GLOBAL=-O0 OPT_FAST='-Og -fno-tree-fre -fno-tree-pta'"])
+            .args(["-MAKEFLAGS", &format!("VM_PARALLEL_BUILDS=0 OPT_GLOBAL=-O0 OPT_FAST='{optimization}'")])
             .arg(format!("{core}_test.sv"))
             .args(design)
             .current_dir(folder)

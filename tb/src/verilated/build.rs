@@ -41,12 +41,6 @@ const VERILATOR_ARGUMENTS: &[&str] = &[
 /// Arguments of every compilation. Each library keeps its own copy of the run-time (no symbols shared between libraries).
 const COMPILER_ARGUMENTS: &[&str] = &["-std=c++17", "-fPIC", "-fvisibility=hidden", "-fno-gnu-unique"];
 
-/// Optimization of units' tests, of which compiling takes the most: simulates no slower than -O1, and compiles in half its time.
-/// Without the four passes that follow, which look at all that is stored, it simulates as fast and takes three quarters of that.
-const QUICK: &[&str] = &["-Og", "-fno-tree-fre", "-fno-tree-pta", "-fno-tree-dce", "-fno-tree-dominator-opts"];
-/// Optimization of what runs for millions of cycles.
-const FULL: &[&str] = &["-O2"];
-
 /// The unit of code that runs once; optimizing it would take longer than running it.
 const START_UP: &str = "start_up";
 
@@ -148,7 +142,7 @@ impl Builder {
         let tools = [&self.toolchain.verilator.description, &self.toolchain.compiler.description].map(String::as_str);
         let asked = format!("{options:?}");
         let asked = [asked.as_str()];
-        let arguments = [VERILATOR_ARGUMENTS, COMPILER_ARGUMENTS, optimizing(options.optimization)];
+        let arguments = [VERILATOR_ARGUMENTS, COMPILER_ARGUMENTS, options.optimization.compiler_arguments()];
         key([parts, &tools, &asked].into_iter().chain(arguments).flatten().copied())
     }
 }
@@ -237,16 +231,9 @@ impl Build<'_> {
     }
 }
 
-const fn optimizing(optimization: Optimization) -> &'static [&'static str] {
-    match optimization {
-        Optimization::Quick => QUICK,
-        Optimization::Full => FULL,
-    }
-}
-
 fn compiler(toolchain: &Toolchain, optimization: Optimization) -> Command {
     let mut command = Command::new(&toolchain.compiler.program);
-    command.args(COMPILER_ARGUMENTS).args(optimizing(optimization));
+    command.args(COMPILER_ARGUMENTS).args(optimization.compiler_arguments());
     command.arg("-I").arg(&toolchain.include).arg("-I").arg(toolchain.include.join("vltstd"));
     command
 }

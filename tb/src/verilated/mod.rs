@@ -59,6 +59,17 @@ pub enum Optimization {
 impl Optimization {
     /// That of whole cores. A program that is built for development runs them no longer than tests do.
     pub const OF_CORES: Self = if cfg!(debug_assertions) { Self::Quick } else { Self::Full };
+
+    /// What g++ is told of it.
+    #[must_use]
+    pub const fn compiler_arguments(self) -> &'static [&'static str] {
+        match self {
+            // Simulates no slower than -O1 in units' tests, of which compiling takes the most, and compiles in half its time. Without the
+            // four passes, which look at all that is stored, it takes three quarters of that, and simulates as fast.
+            Self::Quick => &["-Og", "-fno-tree-fre", "-fno-tree-pta", "-fno-tree-dce", "-fno-tree-dominator-opts"],
+            Self::Full => &["-O2"],
+        }
+    }
 }
 
 /// Whether a model can write waveforms.
