@@ -25,7 +25,7 @@ struct Surroundings {
 }
 
 impl Rule for Surroundings {
-    const SEEDS: u64 = 10;
+    const SEEDS: u64 = 7;
 
     fn quiet_cycles(&self) -> u64 {
         BLOCK_CYCLES

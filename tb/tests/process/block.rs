@@ -131,7 +131,8 @@ pub fn within(magnitude: f64, rng: &mut Rng, format: Format, ty: Scalar) -> u32 
     }
 }
 
-fn encode(format: Format, value: f64) -> u32 {
+/// The word of a number in a format.
+pub fn encode(format: Format, value: f64) -> u32 {
     float::convert(Format::F32, format, (value as f32).to_bits().into()) as u32
 }
 

@@ -13,8 +13,8 @@ use pointcore_golden::process::{Interpreter, Neighborhood};
 use super::scene::{number, settings, tame, within};
 use crate::search::environment::Feeds;
 
-/// Queries of a run.
-pub const QUERIES: u64 = 32;
+/// Queries of a run: more than any core has threads.
+pub const QUERIES: u64 = 48;
 /// Longer than a block of any program takes.
 pub const BLOCK_CYCLES: u64 = 1500;
 const ITERATIONS_MAX: u32 = 4;

@@ -1,14 +1,17 @@
 //! What the tests of the process core's units share: configurations, and items of random words.
 
-pub use super::block::{settings, tame, within};
+use super::block::encode;
+pub use super::block::{tame, within};
 use fastrand::Rng;
 use pointcore_contract::process::library::{PROGRAMS, program};
-use pointcore_contract::process::{Config, Program};
+use pointcore_contract::process::{Config, Program, Scalar};
 use pointcore_contract::{Format, Record, fields};
 use std::sync::Arc;
 
 /// Looks at the farthest neighbor, and does what the library does not.
 const FARTHEST: &str = include_str!("farthest.pasm");
+/// Between which powers of two settings are: coordinates are less than one.
+const SETTINGS: [f64; 2] = [-8.0, 4.0];
 
 /// Without and with `init`, and with one that looks at the farthest neighbor; few and many threads and neighbors.
 pub fn configs() -> [Config; 4] {
@@ -42,6 +45,15 @@ pub fn every_program() -> Vec<Config> {
         Config { program: Arc::new(program(name)), threads, neighbors, format, rate, ..base.clone() }
     });
     library.chain([farthest]).collect()
+}
+
+/// Settings of a run: a `radius` holds nothing of a cloud, or all of it.
+pub fn settings(program: &Program, format: Format, random: &mut Rng) -> Vec<u32> {
+    let value = |ty| match ty {
+        Scalar::Float => encode(format, 2_f64.powf(SETTINGS[0] + random.f64() * (SETTINGS[1] - SETTINGS[0]))),
+        _ => tame(random, format, ty),
+    };
+    program.settings.words().into_iter().map(|word| word.ty).map(value).collect()
 }
 
 /// A query's number: the step is odd, so that numbers have all their bits and none comes twice.
