@@ -19,7 +19,7 @@ use crate::process::cloud::BLOCK_CYCLES;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, cache_scales, close_coordinate, lockstep};
+use crate::search::{all, cache_scales, close_coordinate, lockstep, number};
 use crate::support::cases;
 
 const QUERIES: u64 = 24;
@@ -47,8 +47,10 @@ impl Host {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
         let is_apart = feeds.random.bool();
         let coordinate = if is_apart { anywhere } else { close_coordinate };
-        let world = World::random(config, coordinate, &mut feeds.random);
-        let Asked { settings, k, radius2, iterations_max } = &world.asked;
+        let mut world = World::random(config, coordinate, &mut feeds.random);
+        let queries = world.queries(QUERIES, &mut feeds.random);
+        world.touch(&queries, &mut feeds.random);
+        let Asked { settings, k, radius2, iterations_max, .. } = &world.asked;
         for (field, &value) in fields::<Settings>(&config.process).iter().zip(settings) {
             feeds.hold(&format!("setting_{}", field.name), value.into());
         }
@@ -56,7 +58,7 @@ impl Host {
             [("iterations_max", (*iterations_max).into()), ("search_k", (*k).into()), ("search_radius2", *radius2)];
         held.into_iter().for_each(|(name, value)| feeds.hold(name, value));
         let host = Self {
-            queries: world.queries(QUERIES, &mut feeds.random),
+            queries,
             writes_left: world.tree.writes.len(),
             world,
             is_apart,
@@ -69,9 +71,10 @@ impl Host {
         };
         let search = &config.search;
         if search.neighbor_cache > 0 {
-            feeds.hold("search_reach", 0);
-            let [far, margin] = cache_scales(search, 0.5, &mut feeds.random);
-            feeds.feed("setup", vec![0, far, margin]);
+            let [ball, reach, margin_scale] = host.world.asked.cache(search);
+            feeds.hold("search_reach", reach);
+            let scales = cache_scales(search, number(search, margin_scale), &mut feeds.random);
+            feeds.feed("setup", [&[ball], &scales[..]].concat());
         } else {
             host.load(feeds);
         }
@@ -183,7 +186,7 @@ fn queries_leave_as_brute_force_and_the_interpreter_say() {
         lockstep(&config, &core.module, &model, &units::top::UNIT, begin, all, |host, report| {
             assert_eq!(host.left, QUERIES);
             assert!(report.transfers("line") > 0);
-            if host.is_apart {
+            if host.is_apart && host.world.asked.reach.is_none() {
                 apart.set(apart.get() + QUERIES);
                 compared.set(compared.get() + host.compared);
             }

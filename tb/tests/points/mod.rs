@@ -16,6 +16,8 @@ use crate::search::tree::Tree;
 use crate::search::{Coordinate, configs, number, word};
 
 const ITERATIONS_MAX: u32 = 3;
+/// How much farther than a ball query asks its cached neighborhood reaches.
+const EXTENSION: f32 = 1.25;
 /// How many times some attributes are doubled.
 const MAGNITUDES: std::ops::Range<i32> = -24..24;
 /// Sums that do not hang on the order of neighbors.
@@ -48,6 +50,8 @@ pub struct Asked {
     pub k: u32,
     /// Squared radius.
     pub radius2: u64,
+    /// How far a query looks, if a neighbor cache answers it with a ball searched around another.
+    pub reach: Option<f32>,
     /// Iterations at most.
     pub iterations_max: u32,
 }
@@ -56,16 +60,27 @@ impl Asked {
     fn random(Config { search, process }: &Config, random: &mut Rng) -> Self {
         let has_cache = search.neighbor_cache > 0;
         let k = if has_cache { search.neighbors } else { random.u32(1..=search.neighbors) };
-        let radius = if has_cache || random.bool() { f32::INFINITY } else { 3.0 + 2.0 * random.f32() };
+        let reach = (has_cache && random.bool()).then(|| 0.5 + 2.0 * random.f32());
+        let radius2 = match reach {
+            Some(reach) => (EXTENSION * reach) * (EXTENSION * reach),
+            None if has_cache || random.bool() => f32::INFINITY,
+            None => 3.0 + 2.0 * random.f32(),
+        };
         let settings = settings(&process.program, process.format, random);
         let iterations_max = random.u32(1..=ITERATIONS_MAX);
-        Self { settings, k, radius2: word(search, radius), iterations_max }
+        Self { settings, k, radius2: word(search, radius2), reach, iterations_max }
+    }
+
+    /// What a core with a neighbor cache is told: whether queries are balls, how far it looks, how much of what a search leaves counts.
+    pub fn cache(&self, config: &search::Config) -> [u64; 3] {
+        let margin_scale = if self.reach.is_some() { 1.0 } else { 0.5 };
+        [self.reach.is_some().into(), word(config, self.reach.unwrap_or(0.0)), word(config, margin_scale)]
     }
 }
 
 /// What a query is to leave with.
 pub struct Expected {
-    /// Number, iterations, whether it is capped, outputs; nothing where two neighbors are equally far.
+    /// Number, iterations, whether it is capped, outputs; nothing where two neighbors are equally far, or the neighbors may be another query's.
     pub outcome: Option<Vec<u64>>,
     /// Searches that it takes.
     pub searches: u64,
@@ -140,10 +155,25 @@ impl World {
         (near, ties)
     }
 
+    /// Has the radius, if there is one, end at a neighbor of one of these queries, or just beyond.
+    pub fn touch(&mut self, queries: &[Vec<u64>], random: &mut Rng) {
+        let query = &queries[random.usize(..queries.len())];
+        let position = [1, 2, 3].map(|word| query[word] as u32);
+        let (near, _) = self.near(position);
+        if number(&self.config.search, self.asked.radius2).is_infinite() || near.is_empty() {
+            return;
+        }
+        let point = self.points[near[random.usize(..near.len())]][..3].try_into().expect("a point has a position");
+        let distance2 = squared_distance(self.config.search.geometry, point, position);
+        self.asked.radius2 = (distance2 + random.u32(..2)).into();
+        let radius = number(&self.config.search, self.asked.radius2).sqrt();
+        self.asked.reach = self.asked.reach.map(|_| radius / EXTENSION);
+    }
+
     /// What a query is to leave with.
     pub fn expect(&self, query: &[u64]) -> Expected {
         let words: Vec<u32> = query[1..].iter().map(|&word| word as u32).collect();
-        let (mut ties, mut searches) = (false, 0);
+        let (mut ties, mut searches) = (self.asked.reach.is_some(), 0);
         let outcome = self.interpreter.run(&words, |position| {
             searches += 1;
             let (near, equal) = self.near(position);
