@@ -74,6 +74,20 @@ pub fn named(config: &Config, uniforms: Uniforms) -> Vec<(String, u64)> {
     names.zip(words(config, uniforms)).collect()
 }
 
+/// The uniform registers with the image turned upside down, and another far plane.
+pub fn turned(config: &Config, random: &mut Rng) -> Uniforms {
+    let registers = registers(config);
+    let number = |number| pointcore::number::encode(config.geometry, number);
+    let far = 5.0 + 10.0 * random.f32();
+    let viewport = Viewport {
+        scale: registers.viewport.scale.map(|scale| number(-decode(config.geometry, scale))),
+        depth_a: number(far / (far - 1.0)),
+        depth_b: number(-far / (far - 1.0)),
+        ..registers.viewport
+    };
+    Uniforms { viewport, ..registers }
+}
+
 /// Those of any camera, with its near plane there.
 pub fn any_camera(config: &Config, near_plane: f32, random: &mut Rng) -> Uniforms {
     let mut number = || pointcore::number::encode(config.geometry, 2.0 * random.f32() - 1.0);
@@ -154,19 +168,21 @@ pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut
     }
 }
 
-/// Gives one splat in `one_in`, or its tangents alone, another magnitude: any that the format has.
+/// Gives one splat in `one_in`, or its tangents or one of their numbers alone, another magnitude: any that the format has, most of them
+/// nearly the least or the largest.
 pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     for Splat { center, tangents: [first, second], .. } in splats {
         if random.u32(0..one_in) == 0 {
-            let factor = 2_f64.powi(random.i32(-126..=127));
-            let scaled = |number: u32| f64::from(decode(config.geometry, number)) * factor;
-            let scale = |vector: &mut [u32; 3]| {
-                *vector = vector.map(|number| pointcore::number::encode(config.geometry, scaled(number) as f32));
+            let (least, most) = [(-126, -90), (90, 127), (-126, 127)][random.usize(0..3)];
+            let factor = 2_f64.powi(random.i32(least..=most));
+            let scale = |number: &mut u32| {
+                let scaled = f64::from(decode(config.geometry, *number)) * factor;
+                *number = pointcore::number::encode(config.geometry, scaled as f32);
             };
-            scale(first);
-            scale(second);
-            if random.bool() {
-                scale(center);
+            match random.u8(0..4) {
+                0 => [first, second, center].into_iter().flatten().for_each(scale),
+                1 => [first, second].into_iter().flatten().for_each(scale),
+                _ => scale(&mut [first, second][random.usize(0..2)][random.usize(0..3)]),
             }
         }
     }
