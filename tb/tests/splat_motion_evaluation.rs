@@ -18,7 +18,8 @@ fn speeds(config: &Config) -> [f64; 2] {
     [2_f64.powi(-30), f64::from(config.time_bins) / 32.0]
 }
 
-/// A footprint of which a number is compared at a sample with one that hardly differs: by one of its digits, or none.
+/// A footprint of which a number is compared at a sample with one that hardly differs: by one of its digits, or none; or one on whose line
+/// the sample nearly lies.
 fn touching(config: &Config, footprint: &MovingFootprint, place: &Place, random: &mut fastrand::Rng) -> MovingFootprint {
     let digit = 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32 + 2));
     let hair = 1.0 + digit * f64::from(random.i8(-1..=1));
@@ -28,18 +29,19 @@ fn touching(config: &Config, footprint: &MovingFootprint, place: &Place, random:
     let covered = met.squared_distance(footprint.time).within_kernel(whole).unwrap_or(footprint.life);
     let time = hair * if random.bool() { covered.begin } else { covered.end };
     let [.., offset] = footprint.planes;
-    match random.u8(0..6) {
+    match random.u8(0..7) {
         0 => {
             let by = hair * speeds(config)[random.usize(0..2)] / speed.length();
             touching.speed = touching.speed.map(|form| form.map(|number| by * number));
         }
-        1 => {
-            let by = hair / at.perp_dot(speed.normalize_or(glam::DVec2::X)).abs();
+        kind @ (1 | 2) => {
+            let distance = if kind == 1 { hair } else { digit };
+            let by = distance / at.perp_dot(speed.normalize_or(glam::DVec2::X)).abs();
             touching.place = touching.place.map(|form| form.map(|number| by * number));
         }
-        2 => touching.life.begin = time,
-        3 => touching.life.end = time,
-        4 => touching.planes[0] = (time + offset) / met.determinant,
+        3 => touching.life.begin = time,
+        4 => touching.life.end = time,
+        5 => touching.planes[0] = (time + offset) / met.determinant,
         _ => touching.planes[1] = (time + offset) / met.determinant,
     }
     touching
