@@ -25,6 +25,9 @@ const SLAVE_ERROR: u64 = 2;
 pub const START: u32 = 1;
 pub const RESET: u32 = 2;
 const ABORT: u32 = 8;
+/// Cycles that an answer takes at most, and a run.
+const ANSWER_CYCLES: u64 = 20_000;
+const RUN_CYCLES: u64 = 3_000_000;
 
 /// A memory port's read half, and where it reads.
 struct Reads {
@@ -329,14 +332,20 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         self.register_write.1.items.push_back(vec![data.into(), 0xf]);
     }
 
-    /// Whether the next write is accepted.
-    fn write_answered(&mut self) -> bool {
-        loop {
+    /// Steps until there is an answer.
+    fn answered(&mut self, mut taken: impl FnMut(&mut Self) -> Option<Vec<u64>>) -> Vec<u64> {
+        for _ in 0..ANSWER_CYCLES {
             self.step();
-            if let Some(answer) = self.register_write.2.taken(&self.bench) {
-                return answer[0] != SLAVE_ERROR;
+            if let Some(answer) = taken(self) {
+                return answer;
             }
         }
+        panic!("no answer in {ANSWER_CYCLES} cycles");
+    }
+
+    /// Whether the next write is accepted.
+    fn write_answered(&mut self) -> bool {
+        self.answered(|host| host.register_write.2.taken(&host.bench))[0] != SLAVE_ERROR
     }
 
     pub fn write(&mut self, name: &str, data: u32) {
@@ -345,13 +354,9 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
 
     pub fn read(&mut self, name: &str) -> u32 {
         self.register_read.0.items.push_back(vec![self.address(name)]);
-        loop {
-            self.step();
-            if let Some(answer) = self.register_read.1.taken(&self.bench) {
-                assert_eq!(answer[1], 0, "{name} is refused");
-                return answer[0] as u32;
-            }
-        }
+        let answer = self.answered(|host| host.register_read.1.taken(&host.bench));
+        assert_eq!(answer[1], 0, "{name} is refused");
+        answer[0] as u32
     }
 
     /// Begins a run, with other commands besides.
@@ -373,7 +378,10 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     /// Steps until the run has ended; its packets are in `received`.
     pub fn finish(&mut self) {
         let status = self.map.iter().find(|register| register.address == STATUS).unwrap().name.clone();
-        while self.read(&status) & 1 == 1 {}
+        let begin = self.cycles();
+        while self.read(&status) & 1 == 1 {
+            assert!(self.cycles() < begin + RUN_CYCLES, "a run has not ended in {RUN_CYCLES} cycles");
+        }
     }
 
     /// Ends the run before its time, and forgets what was not sent and what has come.
@@ -404,15 +412,13 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         address.items.push_back(contract::words(&ADDRESS_BITS, burst));
         let beat = WriteBeat { data: word, strobes: 0xff, last: true };
         data.items.push_back(contract::words(&TREE_WORD_BITS, beat));
-        loop {
-            self.step();
-            let (address, data, answer) = self.window.as_mut().expect("the core has a window");
-            address.taken(&self.bench);
-            data.taken(&self.bench);
-            if let Some(answer) = answer.taken(&self.bench) {
-                return answer[1] != SLAVE_ERROR;
-            }
-        }
+        let answer = self.answered(|host| {
+            let (address, data, answer) = host.window.as_mut().expect("the core has a window");
+            address.taken(&host.bench);
+            data.taken(&host.bench);
+            answer.taken(&host.bench)
+        });
+        answer[1] != SLAVE_ERROR
     }
 
     /// Whether nothing went wrong so far.
