@@ -48,6 +48,10 @@ impl Host {
         let is_apart = feeds.random.bool();
         let coordinate = if is_apart { anywhere } else { close_coordinate };
         let mut world = World::random(config, coordinate, &mut feeds.random);
+        // Balls are compared with the model alone, so not where most neighborhoods are known.
+        if config.search.neighbor_cache > 0 && !is_apart && feeds.random.bool() {
+            world.ask_for_balls(&mut feeds.random);
+        }
         let queries = world.queries(QUERIES, &mut feeds.random);
         world.touch(&queries, &mut feeds.random);
         let Asked { settings, k, radius2, iterations_max, .. } = &world.asked;
@@ -186,7 +190,7 @@ fn queries_leave_as_brute_force_and_the_interpreter_say() {
         lockstep(&config, &core.module, &model, &units::top::UNIT, begin, all, |host, report| {
             assert_eq!(host.left, QUERIES);
             assert!(report.transfers("line") > 0);
-            if host.is_apart && host.world.asked.reach.is_none() {
+            if host.is_apart {
                 apart.set(apart.get() + QUERIES);
                 compared.set(compared.get() + host.compared);
             }
@@ -197,7 +201,7 @@ fn queries_leave_as_brute_force_and_the_interpreter_say() {
         });
         assert!(config.search.neighbor_cache == 0 || reused.get() > 0, "no neighborhood was reused");
         let name = config.process.program.name();
-        assert!(compared.get() * 10 >= 9 * apart.get(), "{name}: {} of {} compared", compared.get(), apart.get());
+        assert!(compared.get() * 10 > 9 * apart.get(), "{name}: {} of {} compared", compared.get(), apart.get());
         assert!(!config.process.has_search() || anew.get() > 0, "{name}: no query was searched for anew");
     }
 }

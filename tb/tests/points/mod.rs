@@ -60,15 +60,10 @@ impl Asked {
     fn random(Config { search, process }: &Config, random: &mut Rng) -> Self {
         let has_cache = search.neighbor_cache > 0;
         let k = if has_cache { search.neighbors } else { random.u32(1..=search.neighbors) };
-        let reach = (has_cache && random.bool()).then(|| 0.5 + 2.0 * random.f32());
-        let radius2 = match reach {
-            Some(reach) => (EXTENSION * reach) * (EXTENSION * reach),
-            None if has_cache || random.bool() => f32::INFINITY,
-            None => 3.0 + 2.0 * random.f32(),
-        };
+        let radius2 = if has_cache || random.bool() { f32::INFINITY } else { 3.0 + 2.0 * random.f32() };
         let settings = settings(&process.program, process.format, random);
         let iterations_max = random.u32(1..=ITERATIONS_MAX);
-        Self { settings, k, radius2: word(search, radius2), reach, iterations_max }
+        Self { settings, k, radius2: word(search, radius2), reach: None, iterations_max }
     }
 
     /// What a core with a neighbor cache is told: whether queries are balls, how far it looks, how much of what a search leaves counts.
@@ -114,6 +109,13 @@ impl World {
     pub fn ask_anew(&mut self, random: &mut Rng) {
         self.asked = Asked::random(&self.config, random);
         self.interpreter = interpreter(&self.config, &self.asked);
+    }
+
+    /// A core with a neighbor cache is asked for balls instead.
+    pub fn ask_for_balls(&mut self, random: &mut Rng) {
+        let reach = 0.5 + 2.0 * random.f32();
+        self.asked.reach = Some(reach);
+        self.asked.radius2 = word(&self.config.search, (EXTENSION * reach) * (EXTENSION * reach));
     }
 
     /// Queries near as many places as the neighbor cache has entries, else anywhere.

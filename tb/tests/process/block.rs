@@ -131,18 +131,22 @@ pub fn within(magnitude: f64, rng: &mut Rng, format: Format, ty: Scalar) -> u32 
     }
 }
 
-/// The word of a number in a format.
-pub fn encode(format: Format, value: f64) -> u32 {
+fn encode(format: Format, value: f64) -> u32 {
     float::convert(Format::F32, format, (value as f32).to_bits().into()) as u32
 }
 
-/// Settings under which little is degenerate.
-pub fn settings(program: &Program, format: Format, rng: &mut Rng) -> Vec<u32> {
+/// Settings of a program, with such numbers.
+pub fn settings(program: &Program, format: Format, rng: &mut Rng, number: fn(&mut Rng) -> f64) -> Vec<u32> {
     let value = |ty| match ty {
-        Scalar::Float => encode(format, SETTINGS[0] + rng.f64() * (SETTINGS[1] - SETTINGS[0])),
+        Scalar::Float => encode(format, number(rng)),
         _ => tame(rng, format, ty),
     };
     program.settings.words().into_iter().map(|word| word.ty).map(value).collect()
+}
+
+/// A setting under which little is degenerate.
+pub fn moderate(rng: &mut Rng) -> f64 {
+    SETTINGS[0] + rng.f64() * (SETTINGS[1] - SETTINGS[0])
 }
 
 impl Compared for Golden {

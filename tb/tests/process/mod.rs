@@ -10,7 +10,7 @@ pub mod scene;
 pub mod stage;
 
 use crate::compiler::model::{build, compile_all, run};
-use block::{Counts, Golden, settings};
+use block::{Counts, Golden, moderate, settings};
 use fastrand::Rng;
 use pointcore_contract::Format;
 use pointcore_contract::process::{Program, Section};
@@ -33,7 +33,7 @@ fn agree(cases: Vec<Case>, seed: u64) -> Vec<(String, Counts)> {
     let mut rng = Rng::with_seed(seed);
     let (mut graphs, mut goldens) = (vec![], vec![]);
     for Case { program, format, rate } in cases {
-        let settings = settings(&program, format, &mut rng);
+        let settings = settings(&program, format, &mut rng, moderate);
         for section in Section::ALL.into_iter().filter(|&section| !program.results(section).is_empty()) {
             let graph = graph(&program, section, format).unwrap_or_else(|error| panic!("{error}"));
             graphs.push((graph, interval(section, rate)));

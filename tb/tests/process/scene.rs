@@ -1,10 +1,10 @@
 //! What the tests of the process core's units share: configurations, and items of random words.
 
-use super::block::encode;
+use super::block;
 pub use super::block::{tame, within};
 use fastrand::Rng;
 use pointcore_contract::process::library::{PROGRAMS, program};
-use pointcore_contract::process::{Config, Program, Scalar};
+use pointcore_contract::process::{Config, Program};
 use pointcore_contract::{Format, Record, fields};
 use std::sync::Arc;
 
@@ -49,11 +49,7 @@ pub fn every_program() -> Vec<Config> {
 
 /// Settings of a run: a `radius` holds nothing of a cloud, or all of it.
 pub fn settings(program: &Program, format: Format, random: &mut Rng) -> Vec<u32> {
-    let value = |ty| match ty {
-        Scalar::Float => encode(format, 2_f64.powf(SETTINGS[0] + random.f64() * (SETTINGS[1] - SETTINGS[0]))),
-        _ => tame(random, format, ty),
-    };
-    program.settings.words().into_iter().map(|word| word.ty).map(value).collect()
+    block::settings(program, format, random, |random| (SETTINGS[0] + random.f64() * (SETTINGS[1] - SETTINGS[0])).exp2())
 }
 
 /// A query's number: the step is odd, so that numbers have all their bits and none comes twice.
