@@ -46,10 +46,11 @@ struct Host {
 impl Host {
     fn begin(config: &Config, feeds: &mut Feeds) -> Self {
         let is_apart = feeds.random.bool();
-        let coordinate = if is_apart { anywhere } else { close_coordinate };
-        let mut world = World::random(config, coordinate, &mut feeds.random);
         // Balls are compared with the model alone, so not where most neighborhoods are known.
-        if config.search.neighbor_cache > 0 && !is_apart && feeds.random.bool() {
+        let has_balls = config.search.neighbor_cache > 0 && !is_apart && feeds.random.bool();
+        let coordinate = if is_apart || has_balls { anywhere } else { close_coordinate };
+        let mut world = World::random(config, coordinate, &mut feeds.random);
+        if has_balls {
             world.ask_for_balls(&mut feeds.random);
         }
         let queries = world.queries(QUERIES, &mut feeds.random);
@@ -119,7 +120,7 @@ fn send_record(tree: &Tree, feeds: &mut Feeds, request: &[u64]) {
 }
 
 impl Rule for Host {
-    const SEEDS: u64 = 12;
+    const SEEDS: u64 = 24;
 
     fn quiet_cycles(&self) -> u64 {
         BLOCK_CYCLES
