@@ -4,6 +4,8 @@ use crate::{Fixed, Signedness};
 
 /// The most parts of one length into which an exposure falls, each with tiles of its own.
 pub const TIME_BINS_MAX: usize = 8;
+/// Parts of a bin. Of each it is known whether something is seen within it.
+pub const BIN_PARTS: u32 = 16;
 /// Bits of a time behind the point: a fraction of the exposure.
 pub const TIME_FRACTION_BITS: u32 = 16;
 /// Bits of a time; the exposure's end is one.

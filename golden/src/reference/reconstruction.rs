@@ -83,6 +83,13 @@ impl Band {
         Self { depth, low: f64::NEG_INFINITY, high: f64::INFINITY }
     }
 
+    /// What holds both bands, at the depth between theirs.
+    #[must_use]
+    pub const fn hull(self, other: Self) -> Self {
+        let depth = 0.5 * (self.depth + other.depth);
+        Self { depth, low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
     /// The sample's depth.
     #[must_use]
     pub const fn depth(&self) -> f64 {

@@ -6,6 +6,7 @@
 
 use super::attribute::Arithmetic;
 use super::depth_test;
+use super::parts::cover::Cover;
 use super::tile_cache::bank;
 use crate::stream::Fifo;
 use crate::unit::Model;
@@ -36,6 +37,8 @@ pub struct Accumulator {
     continuous: usize,
     attribute: Arithmetic,
     has_motion: bool,
+    /// A bin's, where splats may move.
+    bin_length: u32,
     input: Fifo<WeightedSample>,
     /// The sample that issues next.
     head: Option<WeightedSample>,
@@ -63,6 +66,7 @@ impl Accumulator {
             continuous: config.continuous as usize,
             attribute: Arithmetic(config.attribute),
             has_motion: config.has_motion(),
+            bin_length: 1 << (config.bin_time_bits() - 1),
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
             head: None,
             slot_ready: 0,
@@ -121,33 +125,30 @@ impl Accumulator {
         let limits = depth_test::In { weight: stored.weight, depth: stored.depth, depth_low, depth_high };
         let outcome = depth_test::test(&limits);
         let alone = self.alone(sample);
-        let nearest = match outcome {
+        let surface = match outcome {
             depth_test::Out { fail: true, .. } => None,
             depth_test::Out { pass: true, .. } => Some(alone),
             _ => Some(self.merged(stored, &alone)?),
         };
         if !self.has_motion {
-            return nearest;
+            return surface;
         }
-        // What is hidden joins the rest, and what was nearest until now.
-        let Bin { nearest: seen, any, .. } = stored.bin;
+        // What is hidden joins the rest, and what was nearest until now, unless it is hidden for all of its time.
+        let Bin { nearest, nearest_parts, any, any_parts, .. } = stored.bin;
+        let [before, any] = [(nearest, nearest_parts), (any, any_parts)].map(|(span, parts)| Cover { span, parts });
+        let own = Cover::of(sample.time, self.bin_length);
         let rest = rest(&stored.bin);
-        let joins = match outcome {
-            depth_test::Out { fail: true, .. } => Some(alone),
-            depth_test::Out { pass: true, .. } => Some(*stored),
-            _ => None,
+        let (seen, joins) = match outcome {
+            depth_test::Out { fail: true, .. } => (before, (!own.is_within(before)).then_some(alone)),
+            depth_test::Out { pass: true, .. } => (own, (!before.is_within(own)).then_some(*stored)),
+            _ => (before.with(own), None),
         };
         let Pixel { weight, depth, peak, attributes, .. } =
             joins.and_then(|joins| self.merged(&rest, &joins)).unwrap_or(rest);
-        let time = sample.time;
-        let hull = |before: [u32; 2]| [before[0].max(time[0]), before[1].max(time[1])];
-        let seen = match outcome {
-            depth_test::Out { fail: true, .. } => seen,
-            depth_test::Out { pass: true, .. } => time,
-            _ => hull(seen),
-        };
-        let bin = Bin { nearest: seen, any: hull(any), weight, depth, peak, attributes };
-        Some(Pixel { bin, ..nearest.unwrap_or(*stored) })
+        let any = any.with(own);
+        let (nearest, nearest_parts, any, any_parts) = (seen.span, seen.parts, any.span, any.parts);
+        let bin = Bin { nearest, nearest_parts, any, any_parts, weight, depth, peak, attributes };
+        Some(Pixel { bin, ..surface.unwrap_or(*stored) })
     }
 
     /// The sums of a sample alone.

@@ -3,6 +3,7 @@
 //! One reciprocal in the geometry format; attributes are converted to it and back.
 
 use super::attribute::Arithmetic;
+use super::parts::cover::Cover;
 use super::parts::division::recip;
 use crate::datapath::{Datapath, Token};
 use crate::number::Number;
@@ -91,7 +92,8 @@ impl Normalizer {
     /// What a bin that counts so much sees: for how long the nearest surface, and for how long the rest besides.
     fn seen(&self, bin: &Bin, counts: u32) -> Seen {
         let length = (1 << TIME_FRACTION_BITS) / self.bins;
-        let [nearest, any] = [bin.nearest, bin.any].map(|[early, late]| (early + late).saturating_sub(length));
+        let seen = [(bin.nearest, bin.nearest_parts), (bin.any, bin.any_parts)];
+        let [nearest, any] = seen.map(|(span, parts)| Cover { span, parts }.time(length));
         let share = |time: u32| {
             let counted = (u64::from(time) * u64::from(counts)) >> SHUTTER.fraction;
             counted.min((1 << TIME_BITS) - 1) as u32

@@ -5,7 +5,7 @@ use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, nam
 use crate::units::datapath;
 use crate::units::values::{Terms, Uniforms, Values};
 use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
-use pointcore_contract::splat::motion::{SHUTTER, TIME_BITS};
+use pointcore_contract::splat::motion::{BIN_PARTS, SHUTTER, TIME_BITS};
 use pointcore_contract::splat::records::{
     ATTRIBUTES, Bin, FinishedPixel, Fragment, LOCAL_BITS, PlacedPixel, Seen, Shutter,
 };
@@ -62,13 +62,37 @@ fn seen(config: &Config, program: &Program, tile: Value, bin: &Bin<Values>) -> S
     let counts = datapath::pick(tile, counts);
     let length = program.lit(time_bits + 1, 1 << (time_bits - 1));
     let less = |from: Value, what: Value| from.lt(what).mux(program.lit(time_bits + 1, 0), from - what);
-    let time = |[early, late]: [Value; 2]| less(early.zext(time_bits + 1) + late.zext(time_bits + 1), length);
-    let (nearest, any) = (time(bin.nearest), time(bin.any));
+    let part_bits = time_bits - 1 - BIN_PARTS.ilog2();
+    // How many parts of the bin a span touches without anything being seen there.
+    let missed = |[early, late]: [Value; 2], parts: Value| {
+        let exceeds = |time: Value, parts: u32| program.lit(time_bits, u64::from(parts) << part_bits).lt(time);
+        let missed = (0..BIN_PARTS).map(|part| {
+            let is_touched = exceeds(late, part) & exceeds(early, BIN_PARTS - 1 - part);
+            (is_touched & !parts.bits(part, part)).zext(BIN_PARTS.ilog2() + 1)
+        });
+        sum(&missed.collect::<Vec<_>>())
+    };
+    let time = |span: [Value; 2], parts: Value| {
+        let [early, late] = span.map(|time| time.zext(time_bits + 1));
+        less(early + late, length + (missed(span, parts).zext(time_bits + 1) << part_bits))
+    };
+    let (nearest, any) = (time(bin.nearest, bin.nearest_parts), time(bin.any, bin.any_parts));
     let largest = program.lit(time_bits + 1 + SHUTTER.width, (1 << TIME_BITS) - 1);
     let share = |time: Value| ((time * counts) >> SHUTTER.fraction).min(largest).bits(TIME_BITS - 1, 0);
     let (depth, attributes) = surface(config, program, bin.weight, bin.depth, bin.attributes);
     let number = if bits > 0 { tile.bits(bits - 1, 0) } else { Value::default() };
     Seen { bin: number, share: share(nearest), rest_share: share(less(any, nearest)), depth, attributes }
+}
+
+/// The sum of several values of a width, as a tree.
+fn sum(values: &[Value]) -> Value {
+    match values {
+        [value] => *value,
+        _ => {
+            let (left, right) = values.split_at(values.len() / 2);
+            sum(left) + sum(right)
+        }
+    }
 }
 
 /// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.

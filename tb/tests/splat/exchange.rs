@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::motion::BIN_PARTS;
 use pointcore_contract::splat::records::{
     ArrivedCopy, Pixel, PixelRun, PlacedCopy, SamplePlace, StoredPixel, TileCopy, WeightedSample, buffer_tile,
 };
@@ -98,6 +99,19 @@ fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
     copies
 }
 
+/// When a sample is seen within a bin of the exposure: from a time to a later one, of which some are where a part of it ends, or next to that.
+fn time(config: &Config, random: &mut Rng) -> [u32; 2] {
+    let length: u32 = 1 << (config.bin_time_bits() - 1);
+    let border = length / BIN_PARTS;
+    let mut ends = [(); 2].map(|()| match random.u8(0..4) {
+        0 => random.u32(0..=BIN_PARTS) * border,
+        1 => (random.u32(0..BIN_PARTS) * border + 1).saturating_sub(random.u32(0..2) * 2),
+        _ => random.u32(0..=length),
+    });
+    ends.sort_unstable();
+    [length - ends[0], ends[1]]
+}
+
 impl Exchange {
     /// The loop before its first cycle; `seed` decides everything random in it.
     pub fn new(config: &Config, stall: Stall, seed: u64) -> Self {
@@ -160,6 +174,9 @@ impl Exchange {
                 let depth = surface + random.u32(0..EPSILON / 2);
                 (depth, [depth - EPSILON, depth + EPSILON])
             };
+            if self.config.has_motion() && random.u8(0..8) > 0 {
+                sample.time = time(&self.config, random);
+            }
             sample.weighted_depth = u64::from(weight) * u64::from(depth);
             (sample.depth_low, sample.depth_high) = (low.min(high), low.max(high));
             for attribute in &mut sample.attributes[..self.config.continuous as usize] {

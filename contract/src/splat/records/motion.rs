@@ -4,7 +4,7 @@ use super::{ATTRIBUTES, AXES, PIXEL_BITS, attribute_name, made_bits};
 use crate::record;
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
-use crate::splat::motion::{SHARE_BITS, SHUTTER, TIME_BINS_MAX, TIME_BITS};
+use crate::splat::motion::{BIN_PARTS, SHARE_BITS, SHUTTER, TIME_BINS_MAX, TIME_BITS};
 
 /// The motion of a splat along a line, on which it is where [`Splat::center`](super::Splat::center) says at `τ = 0`.
 #[record(config: Config)]
@@ -120,17 +120,23 @@ pub struct MovingSample {
 /// has passed of it at the latest. Of two such spans the larger of both is their hull; of what was never seen both are zero.
 pub const SPAN: [&str; 2] = ["early", "late"];
 
-/// What a bin of the exposure holds besides its nearest surface: the sums of all else, and for how long it sees what.
+/// What a bin of the exposure holds besides its nearest surface: the sums of all else that is seen, and when it sees what.
 #[record(config: Config)]
 pub struct Bin {
-    /// For how long the nearest surface is seen.
+    /// From when to when the nearest surface is seen.
     #[name(format!("nearest_{}", SPAN[i]))]
     #[bits(config.bin_time_bits())]
     pub nearest: [u32; 2],
-    /// For how long anything is.
+    /// In which of the bin's parts it is, the first in the lowest bit.
+    #[bits(BIN_PARTS)]
+    pub nearest_parts: u16,
+    /// From when to when anything is.
     #[name(format!("any_{}", SPAN[i]))]
     #[bits(config.bin_time_bits())]
     pub any: [u32; 2],
+    /// In which of the bin's parts anything is.
+    #[bits(BIN_PARTS)]
+    pub any_parts: u16,
     /// Sum of the other weights.
     #[name("rest_weight")]
     #[bits(WEIGHT_SUM_BITS)]

@@ -1,9 +1,12 @@
 //! Bins of time: a bounded A-buffer in one pass.
 //!
 //! What stands still is one static pixel. What moves before it falls into bins, each for its part of the exposure: the nearest surface as a pixel of
-//! the static reconstruction buffer, with the earliest and the latest time at which it was there, and the sums of everything else, with the earliest and
-//! the latest time at which anything was. The rest is seen when the nearest surface is not. It needs no order among itself: what is hidden behind
-//! the nearest surface weighs as much as what is seen beside it, which errs only where three surfaces pass a sample within one bin.
+//! the static reconstruction buffer, with when it was there, and the sums of everything else, with when anything was. The rest is seen when the nearest
+//! surface is not. It needs no order among itself: what is hidden for a part of its time weighs as much as what is seen, which errs only where three
+//! surfaces pass a sample within one bin. What is hidden for all of its time is left out.
+//!
+//! A splat blends with what lies within ε of any depth that it has there. When something was there is known by its earliest and its latest time, and
+//! by which of sixteen parts of the bin it was there in.
 //!
 //! One bin looks for what the thesis' passes look for (4.4.2); many approach the exact A-buffer.
 
@@ -11,42 +14,94 @@ use super::background::Background;
 use super::exposure::Exposed;
 use super::interval::Interval;
 use super::kernel::Hit;
-use super::{Place, Setting};
+use super::{Place, Setting, Shutter};
 use crate::reference::reconstruction::{Band, Decision, Pixel};
+use pointcore_contract::splat::motion::BIN_PARTS;
+
+/// When a sample is covered within a bin.
+#[derive(Clone, Copy, Default)]
+struct Cover {
+    /// From the first to the last time.
+    hull: Option<Interval>,
+    /// A bit for each part of the bin in which it is.
+    parts: u32,
+}
+
+impl Cover {
+    /// All of the intervals, within a bin.
+    fn of(bin: Interval, intervals: impl Iterator<Item = Interval>) -> Self {
+        let mut cover = Self::default();
+        for covered in intervals.filter_map(|interval| interval.intersection(bin)) {
+            cover.hull = Some(cover.hull.map_or(covered, |hull| hull.hull(covered)));
+            for (index, part) in parts(bin).enumerate() {
+                cover.parts |= u32::from(part.intersection(covered).is_some()) << index;
+            }
+        }
+        cover
+    }
+
+    /// When either is there.
+    fn with(self, other: Self) -> Self {
+        let hull = self.hull.into_iter().chain(other.hull).reduce(Interval::hull);
+        Self { hull, parts: self.parts | other.parts }
+    }
+
+    /// Whether another one is there for all of the time.
+    fn is_within(self, other: Self) -> bool {
+        let Some(own) = self.hull else { return true };
+        self.parts & !other.parts == 0 && other.hull.is_some_and(|hull| own.intersection(hull) == Some(own))
+    }
+
+    /// The share of the exposure for which it is there.
+    fn share(self, bin: Interval, shutter: Shutter) -> f64 {
+        let Some(hull) = self.hull else { return 0.0 };
+        let missed = parts(bin).enumerate().filter(|(index, _)| self.parts >> index & 1 == 0);
+        let missed = missed.filter_map(|(_, part)| part.intersection(hull));
+        shutter.share(hull) - missed.map(|part| shutter.share(part)).sum::<f64>()
+    }
+}
+
+/// The parts of a bin.
+fn parts(bin: Interval) -> impl Iterator<Item = Interval> {
+    let border = move |index: u32| bin.begin + bin.length() * f64::from(index) / f64::from(BIN_PARTS);
+    (0..BIN_PARTS).map(move |index| Interval { begin: border(index), end: border(index + 1) })
+}
 
 /// One bin of a sample.
 #[derive(Default)]
 struct Bin {
     nearest: Pixel,
-    /// When the nearest surface covers the sample.
-    covered_by_nearest: Option<Interval>,
+    covered_by_nearest: Cover,
+    /// What is seen besides.
     rest: Pixel,
-    /// When anything does.
-    covered: Option<Interval>,
+    /// When anything covers the sample.
+    covered: Cover,
 }
 
 impl Bin {
     /// Adds a hit's share of the bin.
-    fn add(&mut self, hit: &Hit, band: Band, weight: f64, covered: Interval) {
-        let extended = |before: Option<Interval>| Some(before.map_or(covered, |before| before.hull(covered)));
-        self.covered = extended(self.covered);
+    fn add(&mut self, hit: &Hit, band: Band, weight: f64, covered: Cover) {
+        self.covered = self.covered.with(covered);
         let before = self.nearest.clone();
         match self.nearest.add(hit.kernel.splat, band, weight) {
             Decision::Fail => {
-                self.rest.add(hit.kernel.splat, Band::everywhere(band.depth()), weight);
+                if !covered.is_within(self.covered_by_nearest) {
+                    self.rest.add(hit.kernel.splat, Band::everywhere(band.depth()), weight);
+                }
             }
             Decision::Pass => {
-                self.rest.merge(&before);
-                self.covered_by_nearest = Some(covered);
+                if !self.covered_by_nearest.is_within(covered) {
+                    self.rest.merge(&before);
+                }
+                self.covered_by_nearest = covered;
             }
-            Decision::Blend => self.covered_by_nearest = extended(self.covered_by_nearest),
+            Decision::Blend => self.covered_by_nearest = self.covered_by_nearest.with(covered),
         }
     }
 
     /// Adds what was seen to the exposure; returns the share of it.
-    fn resolve(&self, place: &Place, setting: &Setting, exposed: &mut Exposed) -> f64 {
-        let share = |covered: Option<Interval>| covered.map_or(0.0, |covered| setting.shutter.share(covered));
-        let (nearest, all) = (share(self.covered_by_nearest), share(self.covered));
+    fn resolve(&self, bin: Interval, place: &Place, setting: &Setting, exposed: &mut Exposed) -> f64 {
+        let [nearest, all] = [self.covered_by_nearest, self.covered].map(|cover| cover.share(bin, setting.shutter));
         for (pixel, share) in [(&self.nearest, nearest), (&self.rest, all - nearest)] {
             if let Some(fragment) = pixel.normalized() {
                 exposed.add((setting.shade)(&fragment, place.position), share);
@@ -67,13 +122,15 @@ pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, count: usi
         let mut bin = Bin::default();
         for hit in &moving {
             let Some(covered) = hit.covered(part) else { continue };
-            let band = hit.kernel.band(covered.middle(), place, camera, rendering);
+            let [first, last] =
+                [covered.begin, covered.end].map(|time| hit.kernel.band(time, place, camera, rendering));
+            let band = first.hull(last);
             let weight = hit.integral(part, shutter, rendering.kernel_gamma);
             if weight > 0.0 && !band.is_hidden_by(background.depth) {
-                bin.add(hit, band, weight, covered);
+                bin.add(hit, band, weight, Cover::of(part, hit.pieces.iter().map(|piece| piece.interval)));
             }
         }
-        rest -= bin.resolve(place, setting, &mut exposed);
+        rest -= bin.resolve(part, place, setting, &mut exposed);
     }
     background.add_to(&mut exposed, rest);
     exposed

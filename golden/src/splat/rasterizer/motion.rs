@@ -52,10 +52,14 @@ impl MotionRasterizer {
         // What a bin sees weighs as much as if that were all of the exposure.
         let weight = (share >> (SHARE_BITS - WEIGHT_BITS - config.bin_bits())).min(WEIGHT_MAX);
         let inside = inside && weight > 0;
-        let depth = (begin + end) / 2;
+        let [near, far] = [begin.min(end), begin.max(end)];
         (inside || last).then(|| Sample {
             place: SamplePlace { last, inside, slot, pixel, weight: weight as u16 },
-            band: Band { depth, low: depth.saturating_sub(epsilon), high: (depth + epsilon).min(DEPTH_MAX) },
+            band: Band {
+                depth: (begin + end) / 2,
+                low: near.saturating_sub(epsilon),
+                high: (far + epsilon).min(DEPTH_MAX),
+            },
             time,
             attributes,
         })

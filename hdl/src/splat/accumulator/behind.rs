@@ -1,13 +1,14 @@
-//! What a bin of the exposure holds besides its nearest surface (thesis chapter 4): all that is hidden joins the rest, and so does what was
-//! nearest until something nearer came.
+//! What a bin of the exposure holds besides its nearest surface (thesis chapter 4): what is hidden joins the rest, and so does what was
+//! nearest until something nearer came. What is hidden for all of its time is never seen, and joins nothing.
 //!
 //! Both sums are made before it is known which of them is wanted, so that the loop is no longer than without.
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::WEIGHT_SUM_BITS;
-use pointcore_contract::splat::records::{Bin, Pixel, SPAN, attribute_name};
+use pointcore_contract::splat::records::{Bin, Pixel, attribute_name};
 
 use super::blend::{Adder, CHOICE, delay};
+use super::cover::Cover;
 use super::sample::Contribution;
 use crate::units::wires::Wires;
 use rtl::{Expr, Module};
@@ -62,12 +63,17 @@ pub(super) fn pixel(
     let Outcome { fail, pass, blended } = outcome;
     let cycles = config.accumulate_stages - CHOICE;
     let rest = stored.bin;
-    let weights = [sample.weight.zext(WEIGHT_SUM_BITS), stored.weight];
-    let fits = of_each(weights).map(|(of, weight)| {
+    let own = Cover::of_sample(m, sample.time);
+    let nearest = Cover { span: rest.nearest, parts: rest.nearest_parts };
+    let any = Cover { span: rest.any, parts: rest.any_parts };
+    let candidates =
+        [(sample.weight.zext(WEIGHT_SUM_BITS), own.is_within(nearest)), (stored.weight, nearest.is_within(own))];
+    let weights = candidates.map(|(weight, _)| weight);
+    let may_join = of_each(candidates).map(|(of, (weight, is_hidden))| {
         let overflows = rest.weight.add_carry(weight).msb();
-        delay(m, &format!("rest_fits_{of}"), !overflows, cycles)
+        delay(m, &format!("rest_may_take_{of}"), !(overflows | is_hidden), cycles)
     });
-    let joins = m.wire("joins_rest", (fail & fits[0]) | (pass & fits[1]));
+    let joins = m.wire("joins_rest", (fail & may_join[0]) | (pass & may_join[1]));
     let joining = Joining { cycles, pass, joins };
 
     let weight = joining.sum(m, "weight", rest.weight, weights);
@@ -103,15 +109,15 @@ pub(super) fn pixel(
             }
         };
     }
-    for (end, name) in SPAN.into_iter().enumerate() {
-        let time = sample.time[end];
-        let hull = |before: Expr| before.lt(time).mux(time, before);
-        bin.any[end] = delay(m, &format!("any_{name}"), hull(rest.any[end]), cycles);
-        let together = delay(m, &format!("together_{name}"), hull(rest.nearest[end]), cycles);
-        let before = delay(m, &format!("nearest_{name}_before"), rest.nearest[end], cycles);
-        let late = delay(m, &format!("sample_{name}"), time, cycles);
-        bin.nearest[end] = fail.mux(before, pass.mux(late, together));
-    }
+    let any = any.with(own).map(|name, seen| delay(m, &format!("any_{name}"), seen, cycles));
+    let late = own.map(|name, seen| delay(m, &format!("sample_{name}"), seen, cycles));
+    let together = nearest.with(own).map(|name, seen| delay(m, &format!("together_{name}"), seen, cycles));
+    let before = nearest.map(|name, seen| delay(m, &format!("nearest_{name}_before"), seen, cycles));
+    let seen = |before: Expr, late: Expr, together: Expr| fail.mux(before, pass.mux(late, together));
+    bin.any = any.span;
+    bin.any_parts = any.parts;
+    bin.nearest = [0, 1].map(|end: usize| seen(before.span[end], late.span[end], together.span[end]));
+    bin.nearest_parts = seen(before.parts, late.parts, together.parts);
 
     // What hides the sample stays.
     let mut kept = |name: &str, stored: Expr, new: Expr| {

@@ -6,6 +6,7 @@
 
 mod behind;
 mod blend;
+mod cover;
 mod sample;
 mod slots;
 

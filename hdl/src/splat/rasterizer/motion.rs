@@ -86,8 +86,11 @@ fn sample(m: &mut Module, config: &Config, moving: &MovingSample<Wires>, shared:
     let MovingSample { last, inside, slot, pixel, time, depth: [begin, end], share } = *moving;
     let weight = weight(config, share);
     let depth = m.wire("depth", begin.add_carry(end).bits(DEPTH_BITS, 1));
-    let high = m.wire("high", depth.add_carry(shared.epsilon));
-    let low = depth.lt(shared.epsilon).mux(lit(DEPTH_BITS, 0), depth - shared.epsilon);
+    let nears = m.wire("nears", end.lt(begin));
+    let [near, far] =
+        [("near", nears.mux(end, begin)), ("far", nears.mux(begin, end))].map(|(name, depth)| m.wire(name, depth));
+    let high = m.wire("high", far.add_carry(shared.epsilon));
+    let low = near.lt(shared.epsilon).mux(lit(DEPTH_BITS, 0), near - shared.epsilon);
     let band = Band { depth, low, high: high.trunc(DEPTH_BITS) | high.msb().repeat(DEPTH_BITS) };
     let place = SamplePlace { last, inside: inside & weight.any(), slot, pixel, weight };
     Sample { place, band, time, attributes: shared.attributes }

@@ -118,6 +118,7 @@ fn bins_and_exact_see_what_is_there_at_both_ends_only() {
     let coverage = |method| exposed(&splats, method, Shutter::Box).samples[15 * RENDERING.width + 16].coverage;
     assert!((coverage(Method::Exact) - 0.2).abs() < 1e-9);
     assert!((coverage(Method::Bins(2)) - 0.2).abs() < 1e-9 && (coverage(Method::Bins(8)) - 0.2).abs() < 1e-9);
+    assert!((coverage(Method::Bins(1)) - 0.25).abs() < 1e-9, "two of the bin's sixteen parts at either end");
     assert!((coverage(Method::Passes(1)) - 1.0).abs() < 1e-9, "the earliest and the latest time are all it knows");
 }
 
