@@ -89,8 +89,8 @@ pub(super) struct Demand {
     pub back_facing: usize,
     /// Splats of whose samples or bounds the screen filter may decide one.
     pub filtered: usize,
-    /// Splats that move and are narrower than the screen filter, which the host widens.
-    pub widened: usize,
+    /// Splats that move and are narrower than the screen filter, whose disc the host sends.
+    pub discs: usize,
     /// Splats that reach near, far or eye plane, or with samples of which only that says that they are outside.
     pub crossing: usize,
     /// The first of them.
@@ -135,22 +135,24 @@ impl Demand {
     pub(super) fn of_moving(scene: &Scene, splats: &[MovingSplat], config: &Config) -> Self {
         let front = Front::new(config, &uniforms(&scene.camera, &scene.rendering, config));
         let lens = Lens::of(scene);
-        let of_splat = |(index, moving): (usize, &MovingSplat)| {
-            let tangents = lens.widened(moving);
-            let widened = usize::from(tangents != moving.splat.tangents);
-            let record = moving_record(moving, tangents, config);
-            let Some(Ok(drawn)) = front.set_up(&record) else {
-                return Self { widened, load: Load { splats: 1, samples: 0 }, ..Self::default() };
+        let of_record = |index: usize, moving: &MovingSplat| {
+            let Some(Ok(drawn)) = front.set_up(&moving_record(moving, config)) else {
+                return Self { load: Load { splats: 1, samples: 0 }, ..Self::default() };
             };
             // Where all of a splat's way lies between the planes, they are met never.
             let [begin, end, _] = drawn.moving.footprint.planes.map(|time| decode(config.geometry, time));
             let is_crossing = !(begin.is_infinite() && end.is_infinite());
             Self {
-                widened,
                 crossing: is_crossing.into(),
                 first_crossing: is_crossing.then_some(index),
                 ..Self::drawn(config, &drawn, front.copies(&drawn))
             }
+        };
+        let of_splat = |(index, moving): (usize, &MovingSplat)| {
+            let sent = lens.sent(moving);
+            let discs = usize::from(sent[1].is_some());
+            let records = sent.iter().flatten().map(|moving| of_record(index, moving));
+            records.fold(Self { discs, ..Self::default() }, Self::sum)
         };
         let all = splats.par_iter().enumerate().map(of_splat).reduce(Self::default, Self::sum);
         // A place has a tile for each bin.
@@ -176,7 +178,7 @@ impl Demand {
         Self {
             back_facing: self.back_facing.max(other.back_facing),
             filtered: self.filtered.max(other.filtered),
-            widened: self.widened.max(other.widened),
+            discs: self.discs.max(other.discs),
             crossing: self.crossing.max(other.crossing),
             drawn: self.drawn.max(other.drawn),
             copies: self.copies.max(other.copies),
@@ -196,7 +198,7 @@ impl Demand {
         Self {
             back_facing: self.back_facing + other.back_facing,
             filtered: self.filtered + other.filtered,
-            widened: self.widened + other.widened,
+            discs: self.discs + other.discs,
             crossing: self.crossing + other.crossing,
             first_crossing: self.first_crossing.into_iter().chain(other.first_crossing).min(),
             drawn: self.drawn + other.drawn,

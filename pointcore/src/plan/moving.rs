@@ -102,14 +102,14 @@ pub(super) fn choices(
     reason: String,
 ) -> Vec<Choice> {
     let parts = splats.len();
-    let widened = demand.widened;
+    let discs = demand.discs;
     let filter = match scene.rendering.filter_radius_px {
-        Some(radius) => format!(
-            "{widened} of {parts} are narrower than the filter's {radius} px, and sent as ellipses that are not"
-        ),
+        Some(radius) => {
+            format!("{discs} of {parts} are narrower than the filter's {radius} px, whose disc is sent, too")
+        }
         None => "the scene switches it off".to_owned(),
     };
-    let chosen = if widened > 0 { "on the host" } else { "left out" };
+    let chosen = if discs > 0 { "on the host" } else { "left out" };
     vec![
         of(Effect::TimeBins, format!("{time_bins} bins"), reason),
         fixed(

@@ -11,23 +11,24 @@ use pointcore_contract::splat::motion::SHUTTER;
 use pointcore_contract::splat::records::{self, Shutter};
 use pointcore_golden::reference::motion::{Interval, MovingSplat};
 
-/// Every splat that moves, or part of its way.
+/// Every splat that moves, or part of its way, and what stands for the screen filter.
 pub(crate) fn moving_records(scene: &Scene, plan: &Plan) -> Vec<records::Splat> {
     let config = &plan.config;
     let lens = Lens::of(scene);
-    let record = |moving: &MovingSplat| {
-        let mut record = moving_record(moving, lens.widened(moving), config);
+    let record = |moving: MovingSplat| {
+        let mut record = moving_record(&moving, config);
         for (attribute, &index) in record.attributes.iter_mut().zip(&plan.attributes) {
             *attribute = encode_attribute(config.attribute, moving.splat.attributes[index]);
         }
         record.attributes[config.continuous as usize..config.attributes() as usize].fill(moving.splat.material.into());
         record
     };
-    scene.moving_part(config.time_bins as usize).iter().map(record).collect()
+    let parts = scene.moving_part(config.time_bins as usize);
+    parts.iter().flat_map(|moving| lens.sent(moving)).flatten().map(record).collect()
 }
 
 /// A splat's place, way and tangents.
-pub(crate) fn moving_record(moving: &MovingSplat, tangents: [[f32; 3]; 2], config: &Config) -> records::Splat {
+pub(crate) fn moving_record(moving: &MovingSplat, config: &Config) -> records::Splat {
     let vector = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
     let MovingSplat { splat, motion, part } = moving;
     // The hardware counts from the middle of the exposure, not of the part.
@@ -35,7 +36,7 @@ pub(crate) fn moving_record(moving: &MovingSplat, tangents: [[f32; 3]; 2], confi
     let [center, way] = [center, *motion].map(|numbers| vector(numbers.as_vec3().to_array()));
     let part = [part.begin, part.end].map(|time| encode(config.geometry, time as f32));
     let motion = records::Motion { way, part };
-    records::Splat { center, tangents: tangents.map(vector), motion, ..records::Splat::default() }
+    records::Splat { center, tangents: splat.tangents.map(vector), motion, ..records::Splat::default() }
 }
 
 /// How much each bin of the exposure counts, all together as many as there are.

@@ -144,9 +144,9 @@ mod tests {
     use crate::splat::SplatRunner;
     use std::path::Path;
 
-    /// Hardware sums in fewer bits, takes the depth of a bin from its ends, widens what is narrower than the filter to an ellipse, and hides what
-    /// stands still a surface at a time.
-    const PSNR_DB: f64 = 40.0;
+    /// Hardware sums in fewer bits, takes the depth of a bin from its ends, counts the filter's weight beside the splat's where both lie, and
+    /// hides what stands still a surface at a time.
+    const PSNR_DB: f64 = 45.0;
 
     fn scene(name: &str) -> Scene {
         let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/motion")).join(name);
