@@ -108,6 +108,10 @@ fn time(config: &Config, random: &mut Rng) -> [u32; 2] {
         1 => (random.u32(0..BIN_PARTS) * border + 1).saturating_sub(random.u32(0..2) * 2),
         _ => random.u32(0..=length),
     });
+    if random.bool() {
+        // For a part of the bin at most: others leave gaps where it may be.
+        ends[1] = (ends[0] + random.u32(0..=border)).min(length);
+    }
     ends.sort_unstable();
     [length - ends[0], ends[1]]
 }
