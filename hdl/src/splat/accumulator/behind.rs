@@ -67,7 +67,7 @@ pub(super) fn pixel(
     let nearest = Cover { span: rest.nearest, parts: rest.nearest_parts };
     let any = Cover { span: rest.any, parts: rest.any_parts };
     let candidates =
-        [(sample.weight.zext(WEIGHT_SUM_BITS), own.is_within(nearest)), (stored.weight, nearest.is_within(own))];
+        [(sample.weight.zext(WEIGHT_SUM_BITS), own.is_within(nearest)), (stored.weight, nearest.is_within_sample(own))];
     let weights = candidates.map(|(weight, _)| weight);
     let may_join = of_each(candidates).map(|(of, (weight, is_hidden))| {
         let overflows = rest.weight.add_carry(weight).msb();

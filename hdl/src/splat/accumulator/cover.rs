@@ -32,8 +32,13 @@ impl Cover {
 
     /// Whether another one is seen for all of the time.
     pub fn is_within(self, other: Self) -> Expr {
-        let [early, late] = [0, 1].map(|end: usize| self.span[end].le(other.span[end]));
-        !(self.parts & !other.parts).any() & early & late
+        !(self.parts & !other.parts).any() & self.is_within_sample(other)
+    }
+
+    /// The same of one that is a sample's: it has all parts that its span touches.
+    pub fn is_within_sample(self, sample: Self) -> Expr {
+        let [early, late] = [0, 1].map(|end: usize| self.span[end].le(sample.span[end]));
+        early & late
     }
 
     /// What is made of each of its numbers, which are given by name.
