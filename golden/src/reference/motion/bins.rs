@@ -30,14 +30,13 @@ struct Cover {
 impl Cover {
     /// All of the intervals, within a bin.
     fn of(bin: Interval, intervals: impl Iterator<Item = Interval>) -> Self {
-        let mut cover = Self::default();
-        for covered in intervals.filter_map(|interval| interval.intersection(bin)) {
-            cover.hull = Some(cover.hull.map_or(covered, |hull| hull.hull(covered)));
-            for (index, part) in parts(bin).enumerate() {
-                cover.parts |= u32::from(part.intersection(covered).is_some()) << index;
-            }
-        }
-        cover
+        let alone = |covered: Interval| {
+            let touched = parts(bin).map(|part| part.intersection(covered).is_some());
+            let parts =
+                touched.enumerate().fold(0, |parts, (index, is_touched)| parts | u32::from(is_touched) << index);
+            Self { hull: Some(covered), parts }
+        };
+        intervals.filter_map(|interval| interval.intersection(bin)).map(alone).fold(Self::default(), Self::with)
     }
 
     /// When either is there.
@@ -121,13 +120,13 @@ pub(super) fn resolve(hits: &[Hit], place: &Place, setting: &Setting, count: usi
     for part in Interval::equal_parts(count) {
         let mut bin = Bin::default();
         for hit in &moving {
-            let Some(covered) = hit.covered(part) else { continue };
-            let [first, last] =
-                [covered.begin, covered.end].map(|time| hit.kernel.band(time, place, camera, rendering));
+            let covered = Cover::of(part, hit.pieces.iter().map(|piece| piece.interval));
+            let Some(Interval { begin, end }) = covered.hull else { continue };
+            let [first, last] = [begin, end].map(|time| hit.kernel.band(time, place, camera, rendering));
             let band = first.hull(last);
             let weight = hit.integral(part, shutter, rendering.kernel_gamma);
             if weight > 0.0 && !band.is_hidden_by(background.depth) {
-                bin.add(hit, band, weight, Cover::of(part, hit.pieces.iter().map(|piece| piece.interval)));
+                bin.add(hit, band, weight, covered);
             }
         }
         rest -= bin.resolve(part, place, setting, &mut exposed);
