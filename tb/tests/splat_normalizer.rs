@@ -8,6 +8,7 @@ use pointcore_golden::splat::Normalizer;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::normalizer;
 
+use crate::splat::exchange::time;
 use crate::splat::{Device, configs, fixed_configs, knobs, moving_configs, scene};
 use crate::support::cases;
 
@@ -50,6 +51,10 @@ fn pixels(config: &Config) -> Vec<FinishedPixel> {
         }
         if random.u8(0..8) > 0 {
             value.attributes[..config.continuous as usize].fill_with(|| sum(config, weight, &mut random));
+        }
+        if config.has_motion() && random.bool() {
+            // Parts are of any bits; where the spans end decides which of them count.
+            (value.bin.nearest, value.bin.any) = (time(config, &mut random), time(config, &mut random));
         }
         finished
     };

@@ -100,7 +100,7 @@ fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
 }
 
 /// When a sample is seen within a bin of the exposure: from a time to a later one, of which some are where a part of it ends, or next to that.
-fn time(config: &Config, random: &mut Rng) -> [u32; 2] {
+pub fn time(config: &Config, random: &mut Rng) -> [u32; 2] {
     let length: u32 = 1 << (config.bin_time_bits() - 1);
     let border = length / BIN_PARTS;
     let mut ends = [(); 2].map(|()| match random.u8(0..4) {
