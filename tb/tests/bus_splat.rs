@@ -13,7 +13,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Bases, Host, MemoryOrder, RESET, around_renderer, place};
-use crate::splat::{configs, fixed_configs, scene, in_order};
+use crate::splat::{configs, fixed_configs, in_order, moving_configs, scene};
 use crate::support::cases;
 
 /// Splats and ends of several frames.
@@ -37,14 +37,15 @@ fn frames(config: &Config) -> Vec<EncodedFrame> {
             uniforms.filter_radius = number::encode(config.geometry, WIDE_PX);
             uniforms.filter_scale = number::encode_uniform(config.filter_scale_format(), 1.0 / (WIDE_PX * WIDE_PX));
         }
-        EncodedFrame { records: splats.to_vec(), uniforms, depths: None }
+        EncodedFrame { records: splats.to_vec(), uniforms, depths: config.tests_samples().then(|| depths(config)) }
     };
     records.split_inclusive(|splat| splat.end).enumerate().map(frame).collect()
 }
 
-/// The fragments of each frame, as the model makes them without testing them against depths in memory.
+/// The fragments of each frame, as the model makes them without testing them against depths in memory; samples are.
 fn reconstructed(config: &Config, frames: &[EncodedFrame]) -> Vec<Vec<Fragment>> {
-    let config = &Config { merge: Feature::Off, ..config.clone() };
+    let merge = if config.tests_fragments() { Feature::Off } else { config.merge };
+    let config = &Config { merge, ..config.clone() };
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let fragments = |frame| {
         let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
@@ -76,7 +77,7 @@ fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> (SplatHost, 
     (host, bases)
 }
 
-/// Puts depths into memory, where fragments are tested against them.
+/// Puts depths into memory, where something is tested against them.
 fn put_depths(host: &mut SplatHost, config: &Config, bases: Bases) {
     if config.merge.is_on() {
         let bytes: Vec<u8> = depths(config).bits().iter().flat_map(|bits| bits.to_le_bytes()).collect();
@@ -159,17 +160,18 @@ fn aborted_run(host: &mut SplatHost, config: &Config, splats: &[Splat], random: 
 
 #[test]
 fn frames_on_the_bus_are_those_of_the_model() {
-    let widths = [(64, 64), (32, 512), (512, 32), (64, 128), (128, 64)];
+    let widths = [(64, 64), (32, 512), (512, 32), (64, 128), (64, 64), (128, 64)];
     let [bare, ..] = configs();
     let payload = PayloadStore::Memory;
     let several = Config { rasterizers: 4, memory_ports: 4, payload, payload_beats: 3, merge: Feature::On, ..bare };
-    for (config, (stream_bits, memory_bits)) in cases(configs().into_iter().chain([several]).chain(fixed_configs()).zip(widths)) {
+    let [moving, ..] = moving_configs().map(|moving| Config { rasterizers: 2, merge: Feature::On, ..moving });
+    let all = configs().into_iter().chain([several, moving]).chain(fixed_configs());
+    for (config, (stream_bits, memory_bits)) in cases(all.zip(widths)) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frames = frames(&config);
         let all = reconstructed(&config, &frames);
-        let merged = |frame: &Vec<Fragment>, depths: &mut Depths| match config.merge {
-            Feature::On => depths.merge(&config, frame),
-            Feature::Off => frame.clone(),
+        let merged = |frame: &Vec<Fragment>, depths: &mut Depths| {
+            if config.tests_fragments() { depths.merge(&config, frame) } else { frame.clone() }
         };
         let alone: Vec<_> = all.iter().map(|frame| merged(frame, &mut depths(&config))).collect();
         let mut left = depths(&config);

@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::splat::config::{PayloadStore, TILE_PIXELS};
-use pointcore_contract::splat::records::{PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
-use pointcore_contract::splat::{Config, units};
+use pointcore_contract::splat::records::{Depth, PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, buffer_tile};
+use pointcore_contract::splat::{Config, Feature, units};
 use pointcore_contract::{read, words};
 use pointcore_golden::splat::lane::{In, Lane};
 use pointcore_golden::splat::{Latencies, Share};
@@ -32,12 +32,21 @@ struct Loop {
     /// Words of payloads by place and number, and those that were asked for.
     words: Vec<PayloadWord>,
     payloads: VecDeque<PayloadWord>,
-    offers: [bool; 3],
-    stalls: [Stalls; 8],
+    /// Depths that were asked for.
+    depths: VecDeque<Depth>,
+    offers: [bool; 4],
+    stalls: [Stalls; 10],
     places: Vec<usize>,
     random: fastrand::Rng,
     /// Pixels that were read, written and finished.
     counts: [usize; 3],
+}
+
+/// The depth in memory of a pixel: that of nothing, or any.
+fn depth(tile: u32, pixel: u8) -> Depth {
+    let spread = (tile * TILE_PIXELS + u32::from(pixel)).wrapping_mul(0x9e37_79b9);
+    let depth = if spread.is_multiple_of(4) { f32::INFINITY } else { spread as f32 / u32::MAX as f32 };
+    Depth { depth: depth.to_bits() }
 }
 
 impl Loop {
@@ -64,8 +73,9 @@ impl Loop {
             beats: VecDeque::new(),
             words: vec![PayloadWord::default(); (config.splats_held() * config.payload_beats) as usize],
             payloads: VecDeque::new(),
-            offers: [false; 3],
-            stalls: [(); 8].map(|()| Stalls::new(stall, random.fork())),
+            depths: VecDeque::new(),
+            offers: [false; 4],
+            stalls: [(); 10].map(|()| Stalls::new(stall, random.fork())),
             places: device.input_places(),
             random,
             counts: [0; 3],
@@ -75,12 +85,23 @@ impl Loop {
     /// What the lane's ports see in a cycle.
     fn step(&mut self) -> Vec<u64> {
         let out = self.lane.outputs();
-        let [copies, data, read_ready, write_ready, pixel_ready, payload_data, payload_read_ready, payload_write_ready] =
-            self.stalls.each_mut().map(|stalls| !stalls.stalled());
+        let [
+            copies,
+            data,
+            read_ready,
+            write_ready,
+            pixel_ready,
+            payload_data,
+            payload_read_ready,
+            payload_write_ready,
+            depth_data,
+            depth_read_ready,
+        ] = self.stalls.each_mut().map(|stalls| !stalls.stalled());
         // An offer once made stands until it is taken.
         self.offers[0] |= copies && !self.copies.is_empty();
         self.offers[1] |= data && !self.beats.is_empty();
         self.offers[2] |= payload_data && !self.payloads.is_empty();
+        self.offers[3] |= depth_data && !self.depths.is_empty();
         let inputs = In {
             input: self.copies.front().copied().filter(|_| self.offers[0]),
             read_ready,
@@ -94,6 +115,8 @@ impl Loop {
             payload_data: self.payloads.front().copied().filter(|_| self.offers[2]),
             payload_read_ready,
             payload_write_ready,
+            depth_read_ready,
+            depth_data: self.depths.front().copied().filter(|_| self.offers[3]),
         };
         if self.offers[0] && out.in_ready {
             self.copies.pop_front();
@@ -123,6 +146,13 @@ impl Loop {
         if let Some(write) = out.payload_write.filter(|_| payload_write_ready) {
             self.words[usize::from(write.splat) * count + usize::from(write.word)] = write.value;
         }
+        if self.offers[3] && out.depth_data_ready {
+            self.depths.pop_front();
+            self.offers[3] = false;
+        }
+        if let Some(run) = out.depth_read.filter(|_| depth_read_ready) {
+            self.depths.extend((0..run.count).map(|pixel| depth(run.tile, run.pixel + pixel)));
+        }
         if let Some(finished) = out.pixel.filter(|_| pixel_ready) {
             self.frames -= usize::from(finished.end);
             self.counts[2] += usize::from(!finished.end);
@@ -151,6 +181,7 @@ fn it_agrees_with_the_model() {
     let [bare, _, mixed] = configs();
     let in_memory = Config { payload: PayloadStore::Memory, payload_beats: 4, payload_ahead: 5, ..mixed.clone() };
     let [moving, ..] = moving_configs();
+    let moving = Config { merge: Feature::On, ..moving };
     for (config, number) in cases([(bare, 0), (Config { rasterizers: 4, ..mixed }, 2), (in_memory, 0), (moving, 0)]) {
         let hardware = lane::lane(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let latency = |unit: &str| hardware.manifests[unit].latency;

@@ -1,19 +1,21 @@
 //! `splat_tile_cache` against its model, in every cycle, in a closed loop with an accumulator.
 
 use pointcore_contract::splat::config::IN_FLIGHT_BITS;
-use pointcore_contract::splat::units;
+use pointcore_contract::splat::{Config, Feature, units};
 use pointcore_golden::splat::TileCache;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::tile_cache;
 use pointcore_tb::lockstep::seeds;
 
 use crate::splat::exchange::{Drive, Exchange, Side};
-use crate::splat::{Device, RUNS, configs, stalls};
+use crate::splat::{Device, RUNS, configs, moving_configs, stalls};
 use crate::support::cases;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in cases(configs()) {
+    let [_, moving, ..] = moving_configs();
+    let moving = Config { merge: Feature::On, ..moving };
+    for config in cases(configs().into_iter().chain([moving])) {
         let device = Device::new(&config, &tile_cache::module(&config), &units::tile_cache::UNIT);
         let mut most_in_flight = 0;
         for seed in seeds(RUNS).unwrap() {

@@ -62,11 +62,19 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         Config { rasterizers: 2, memory_ports: 2, payload: PayloadStore::Memory, payload_beats: 2, ..bare },
         Config { rasterizers: 4, memory_ports: 2, ..mixed },
     ];
-    let all = configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving_configs());
+    let [first, second, third, fourth] = moving_configs();
+    let moving = [
+        Config { merge: Feature::On, ..first },
+        second,
+        Config { rasterizers: 2, merge: Feature::On, ..third },
+        fourth,
+    ];
+    let all = configs().into_iter().chain([coarse, fixed, integers]).chain(several).chain(moving);
     cases(all).par_bridge().for_each(|config| {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&VerilogSource::from(&core.design));
         let mut frame = scene::frames(&config, RECORDS);
+        frame.depths = config.tests_samples().then(|| Depths::new(&config, spread));
         let mut expected: Option<Vec<Fragment>> = None;
         for seed in seeds(RUNS).unwrap() {
             let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
@@ -75,6 +83,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
             adds_up(&outcome);
             let counters = &outcome.counters;
             assert!(counters.buffer.written > 1000 && counters.buffer.read > 1000, "seed {seed}: {counters:?}");
+            assert!(counters.events.hidden > 100 || !config.tests_samples(), "seed {seed}: {counters:?}");
             in_order(&config, &mut outcome.fragments);
             let expected = expected.get_or_insert(outcome.fragments.clone());
             assert!(outcome.fragments == *expected, "seed {seed}: the frames depend on stalls");
@@ -95,6 +104,35 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         let runner = SplatRunner { stall, seed, ..SplatRunner::new(&config, &frame) };
         is_seen_at_ports(&runner.hardware(&library, None).unwrap_or_else(|error| panic!("{error}")), &twice);
     });
+}
+
+/// A depth for each sample, and none for every fourth.
+fn spread(column: u32, row: u32) -> Option<f32> {
+    (!(column + row).is_multiple_of(4)).then_some([0.3, 0.6, 0.7, 0.8, 0.9][((column / 3 + row / 2) % 5) as usize])
+}
+
+/// What moves is as without depths in memory where these are far, and hidden where they are near.
+#[test]
+fn samples_that_move_are_hidden_behind_what_is_in_memory() {
+    for config in moving_configs() {
+        let fragments = |merge: Feature, held: fn(u32, u32) -> Option<f32>| {
+            let config = Config { merge, ..config.clone() };
+            let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+            let mut frame = scene::frames(&config, RECORDS / 4);
+            frame.depths = Some(Depths::new(&config, held));
+            let outcome = SplatRunner::new(&config, &frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
+            let (mut fragments, hidden) = (outcome.fragments, outcome.counters.events.hidden);
+            in_order(&config, &mut fragments);
+            (fragments, hidden)
+        };
+        let (alone, _) = fragments(Feature::Off, |_, _| None);
+        assert!(alone.len() > 100 && (alone.clone(), 0) == fragments(Feature::On, |_, _| None));
+        let (left, hidden) = fragments(Feature::On, |column, _| (column >= 24).then_some(0.0));
+        // A band that begins at zero is behind nothing.
+        assert!(hidden > 100 && left.len() < alone.len(), "{hidden} samples, {} fragments", left.len());
+        let is_free = |fragment: &&Fragment| fragment.column < 24;
+        assert!(left.iter().filter(is_free).eq(alone.iter().filter(is_free)));
+    }
 }
 
 /// What memory holds decides which fragments leave, and nothing else does.

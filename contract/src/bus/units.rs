@@ -314,14 +314,14 @@ pub struct SplatAxi {
     #[count(config.payload_ports())]
     #[with(&config.bus.memory_bits)]
     payload_writes: [WriteMaster; 8],
-    /// Memory with depths that fragments of a stream are tested against.
+    /// Memory with depths that fragments of a stream are tested against, or a rasterizer's samples of what moves.
     #[port("m_axi_depth")]
     #[count(config.merge_ports())]
     #[with(&MERGED_DEPTH_BITS)]
-    depth_reads: [ReadMaster; 4],
+    depth_reads: [ReadMaster; 8],
     /// The same memory.
     #[port("m_axi_depth")]
-    #[count(config.merge_ports())]
+    #[count(config.depth_writers())]
     #[with(&MERGED_DEPTH_BITS)]
     depth_writes: [WriteMaster; 4],
 }

@@ -55,6 +55,8 @@ pub const MEMORY_PORTS_MAX: u32 = 4;
 pub const RASTERIZERS_MAX: u32 = 8;
 /// Bits of a depth in memory: an `f32`, as depth buffers of triangles have it.
 pub const MERGED_DEPTH_BITS: u32 = 32;
+/// Samples that may be under way from where they wait for depths in memory to behind the test.
+pub const OCCLUSION_QUEUE_DEPTH: u32 = 8;
 /// Copies that wait until memory has taken their payload.
 pub const WRITTEN_COPIES: u32 = 8;
 /// Bits of the counter of copies under way in one tile slot.
@@ -143,7 +145,7 @@ configuration! {
             /// Bins of the exposure that splats which move are told apart in (thesis ch. 4), each with tiles of its own. 0 where nothing moves.
             time_bins: u32 = 0, described("0, 1, 2, 4, 8"), Input;
             /// Fragments are tested against depths in memory, of triangles or of surfaces that came before, and only those that are
-            /// nearer leave (thesis 5.4.6).
+            /// nearer leave (thesis 5.4.6). With `time_bins` samples are, against depths of what stands still.
             merge: Feature = Feature::Off, described("`\"on\"`, `\"off\"`"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
@@ -273,9 +275,6 @@ impl Config {
                 if self.rasterizer.is_some_and(|format| format != RasterFormat::Float(self.geometry)) {
                     return needs("rasterizer", "geometry", "footprints that move are in the format of all geometry");
                 }
-                if self.merge.is_on() {
-                    return needs("merge", "off", "a bin of the exposure has no depth of its own in memory");
-                }
                 Ok(())
             }
             bins => Err(ConfigError::TimeBins { bins, most: TIME_BINS_MAX as u32 }),
@@ -393,6 +392,12 @@ impl Config {
         self.tile_row_bits() + self.tile_column_bits()
     }
 
+    /// Bits of a tile's number among those of the image, whose bins of the exposure share one.
+    #[must_use]
+    pub const fn image_tile_bits(&self) -> u32 {
+        self.tile_bits() - self.bin_bits()
+    }
+
     /// Bits of a rasterizer's number: none where there is but one.
     #[must_use]
     pub const fn rasterizer_bits(&self) -> u32 {
@@ -473,16 +478,38 @@ impl Config {
         if self.has_payloads_in_memory() { self.rasterizers } else { 0 }
     }
 
-    /// Ports to depths in memory: with `merge`, one for each port to the reconstruction buffer.
+    /// Whether fragments are tested against depths in memory.
     #[must_use]
-    pub const fn merge_ports(&self) -> u32 {
-        if self.merge.is_on() { self.memory_ports } else { 0 }
+    pub const fn tests_fragments(&self) -> bool {
+        self.merge.is_on() && !self.has_motion()
     }
 
-    /// Bits of a number of ports to the reconstruction buffer.
+    /// Whether samples are: a fragment of what moves is of no single depth.
     #[must_use]
-    pub const fn port_count_bits(&self) -> u32 {
-        self.memory_ports.ilog2() + 1
+    pub const fn tests_samples(&self) -> bool {
+        self.merge.is_on() && self.has_motion()
+    }
+
+    /// Ports to depths in memory: with `merge`, one for each port to the reconstruction buffer, or for each rasterizer where samples are tested.
+    #[must_use]
+    pub const fn merge_ports(&self) -> u32 {
+        match self.merge {
+            Feature::Off => 0,
+            Feature::On if self.has_motion() => self.rasterizers,
+            Feature::On => self.memory_ports,
+        }
+    }
+
+    /// Ports by which depths go to memory: samples leave none there.
+    #[must_use]
+    pub const fn depth_writers(&self) -> u32 {
+        if self.tests_fragments() { self.memory_ports } else { 0 }
+    }
+
+    /// Bits of a number of ports to depths in memory.
+    #[must_use]
+    pub const fn merge_count_bits(&self) -> u32 {
+        index_bits(self.merge_ports() + 1)
     }
 
     /// Bits of a number of copies of one splat: it has one a tile at most.

@@ -1,8 +1,8 @@
 //! Lane: a rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3).
 
 use super::{
-    Accumulator, Latencies, MotionRasterizer, Payloads, Prefetch, Rasterizer, Reorder, TileCache, Weighting,
-    accumulator, payloads, prefetch, rasterizer, reorder, tile_cache, weighting,
+    Accumulator, Latencies, MotionRasterizer, Occlusion, Payloads, Prefetch, Rasterizer, Reorder, TileCache, Weighting,
+    accumulator, occlusion, payloads, prefetch, rasterizer, reorder, tile_cache, weighting,
 };
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
@@ -23,6 +23,8 @@ pub struct Shown {
     pub tile_cache: tile_cache::Out,
     /// The rasterizer.
     pub rasterizer: rasterizer::Out,
+    /// What leaves out samples behind depths in memory, if anything does.
+    pub occlusion: Option<occlusion::Out>,
     /// The weighting unit.
     pub weighting: weighting::Out,
     /// The accumulator.
@@ -33,7 +35,8 @@ impl Shown {
     /// What the lane did in the last cycle.
     #[must_use]
     pub const fn events(&self) -> LaneEvents {
-        LaneEvents { rasterizer: self.rasterizer.events, accumulator: self.accumulator.events }
+        let hidden = matches!(&self.occlusion, Some(occlusion) if occlusion.hidden);
+        LaneEvents { rasterizer: self.rasterizer.events, accumulator: self.accumulator.events, hidden }
     }
 
     /// What of it is seen from outside.
@@ -45,6 +48,10 @@ impl Shown {
             Some(prefetch) => prefetch.read,
             None => None,
         };
+        let (depth_read, depth_data_ready) = match &self.occlusion {
+            Some(occlusion) => (occlusion.depth_read, occlusion.depth_data_ready),
+            None => (None, false),
+        };
         Out {
             in_ready,
             read,
@@ -54,6 +61,8 @@ impl Shown {
             payload_read,
             payload_data_ready,
             payload_write,
+            depth_read,
+            depth_data_ready,
             events: self.events(),
         }
     }
@@ -98,6 +107,7 @@ pub struct Lane {
     prefetch: Option<Prefetch>,
     tile_cache: TileCache,
     rasterizer: Drawing,
+    occlusion: Option<Occlusion>,
     weighting: Weighting,
     accumulator: Accumulator,
 }
@@ -112,6 +122,7 @@ impl Lane {
             prefetch: config.has_payloads_in_memory().then(|| Prefetch::new(config)),
             tile_cache: TileCache::new(config),
             rasterizer: Drawing::new(config, latencies.rasterizer),
+            occlusion: config.tests_samples().then(|| Occlusion::new(config)),
             weighting: Weighting::new(config, latencies.weighting),
             accumulator: Accumulator::new(config),
         }
@@ -126,6 +137,7 @@ impl Lane {
             prefetch: self.prefetch.as_ref().map(Model::outputs),
             tile_cache: self.tile_cache.outputs(),
             rasterizer: self.rasterizer.outputs(),
+            occlusion: self.occlusion.as_ref().map(Model::outputs),
             weighting: self.weighting.outputs(),
             accumulator: self.accumulator.outputs(),
         }
@@ -133,7 +145,7 @@ impl Lane {
 
     /// One clock edge of units that show this.
     pub fn step(&mut self, inputs: &In, shown: &Shown) {
-        let Shown { payloads, reorder, prefetch, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let Shown { payloads, reorder, prefetch, tile_cache, rasterizer, occlusion, weighting, accumulator } = shown;
         self.payloads.clock(&payloads::In {
             input: inputs.input,
             copy_ready: reorder.in_ready && !tile_cache.full,
@@ -176,13 +188,26 @@ impl Lane {
             sample_reads: accumulator.sample_reads,
             drained: accumulator.drained,
         });
+        let (sample, sample_ready) = match occlusion {
+            Some(occlusion) => (occlusion.out, occlusion.in_ready),
+            None => (rasterizer.out, weighting.in_ready),
+        };
         self.rasterizer.clock(&rasterizer::In {
             input: payloads.out,
-            out_ready: weighting.in_ready,
+            out_ready: sample_ready,
             filter_scale: inputs.filter_scale,
             depth_a: inputs.depth_a,
         });
-        self.weighting.clock(&weighting::In { input: rasterizer.out, out_ready: accumulator.in_ready });
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.clock(&occlusion::In {
+                input: rasterizer.out,
+                out_ready: weighting.in_ready,
+                placed: tile_cache.placed,
+                depth_read_ready: inputs.depth_read_ready,
+                depth_data: inputs.depth_data,
+            });
+        }
+        self.weighting.clock(&weighting::In { input: sample, out_ready: accumulator.in_ready });
         self.accumulator.clock(&accumulator::In {
             input: weighting.out,
             slot_ready: tile_cache.slot_ready,

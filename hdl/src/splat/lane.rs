@@ -1,7 +1,7 @@
 //! A rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3); golden twin:
 //! `pointcore_golden::splat::lane`.
 
-use super::{accumulator, payloads, prefetch, rasterizer, reorder, tile_cache, weighting};
+use super::{accumulator, occlusion, payloads, prefetch, rasterizer, reorder, tile_cache, weighting};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{
     InputPorts, OutputPorts, Pulse, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse,
@@ -10,7 +10,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{ArrivedCopy, TileCopy};
 use pointcore_contract::splat::units::lane::PORTS;
 use pointcore_contract::splat::units::{self, LaneEvents};
-use rtl::{Instance, Module};
+use rtl::{Expr, Instance, Module};
 use std::collections::BTreeMap;
 
 /// A lane and what the compiler decided about its datapaths, by unit.
@@ -68,6 +68,19 @@ fn payloads_in_memory(m: &mut Module, config: &Config, payloads: Instance, reord
     prefetch
 }
 
+/// Has samples tested against depths in memory; returns what these pass.
+fn occlusion(m: &mut Module, config: &Config, rasterizer: Instance, cache: Instance) -> Instance {
+    use units::occlusion as tests;
+    let occlusion = m.instance("occlusion", occlusion::module(config));
+    pipe(m, config, (rasterizer, units::rasterizer::PORTS.out), (occlusion, tests::PORTS.input));
+    pulse(m, config, (cache, units::tile_cache::PORTS.placed), (occlusion, tests::PORTS.placed));
+    let read = tests::PORTS.depth_read.of(m, config, occlusion);
+    PORTS.depth_read.export(m, config, read);
+    let data = PORTS.depth_data.declare(m, config);
+    tests::PORTS.depth_data.feed(m, config, occlusion, data);
+    occlusion
+}
+
 /// Builds a lane.
 ///
 /// # Errors
@@ -98,7 +111,9 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
     pipe(&mut m, config, ordered, (cache, tiles::PORTS.input));
     pipe(&mut m, config, (cache, tiles::PORTS.out), (payloads, splats::PORTS.placed));
     pipe(&mut m, config, (payloads, splats::PORTS.out), (rasterizer, samples::PORTS.input));
-    pipe(&mut m, config, (rasterizer, samples::PORTS.out), (weighting, units::weighting::PORTS.input));
+    let occlusion = config.tests_samples().then(|| occlusion(&mut m, config, rasterizer, cache));
+    let seen = occlusion.map_or((rasterizer, samples::PORTS.out), |tests| (tests, units::occlusion::PORTS.out));
+    pipe(&mut m, config, seen, (weighting, units::weighting::PORTS.input));
     pipe(&mut m, config, (weighting, units::weighting::PORTS.out), (accumulator, sums::PORTS.input));
     slots(&mut m, config, [cache, accumulator]);
 
@@ -126,6 +141,7 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
     }
     let rasterizer = samples::PORTS.events.of(&mut m, config, rasterizer);
     let accumulator = sums::PORTS.events.of(&mut m, config, accumulator);
-    PORTS.events.drive(&mut m, config, LaneEvents { rasterizer, accumulator });
+    let hidden = occlusion.map_or_else(Expr::default, |tests| units::occlusion::PORTS.hidden.word_of(&mut m, tests));
+    PORTS.events.drive(&mut m, config, LaneEvents { rasterizer, accumulator, hidden });
     Ok(Lane { module: m, manifests })
 }

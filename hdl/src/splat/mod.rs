@@ -14,6 +14,7 @@ pub mod merge;
 pub mod motion_evaluation;
 pub mod motion_setup;
 pub mod normalizer;
+pub mod occlusion;
 pub mod payloads;
 pub mod prefetch;
 pub mod rasterizer;
@@ -36,7 +37,7 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last. Those of motion stand beside it.
-pub const UNITS: [(&Unit<Config>, Describe); 23] = [
+pub const UNITS: [(&Unit<Config>, Describe); 24] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
@@ -48,6 +49,7 @@ pub const UNITS: [(&Unit<Config>, Describe); 23] = [
     (&units::prefetch::UNIT, |config| Ok(prefetch::module(config))),
     (&units::tile_cache::UNIT, |config| Ok(tile_cache::module(config))),
     (&units::rasterizer::UNIT, |config| Ok(rasterizer::datapath(config, &Options::default())?.module)),
+    (&units::occlusion::UNIT, |config| Ok(occlusion::module(config))),
     (&units::weighting::UNIT, |config| Ok(weighting::datapath(config, &Options::default())?.module)),
     (&units::depth_test::UNIT, |config| Ok(depth_test::module(config))),
     (&units::accumulator::UNIT, |config| Ok(accumulator::module(config))),

@@ -1,9 +1,10 @@
-//! The memory of depths behind the renderer's ports: what triangles or other surfaces left there (thesis 5.4.6).
+//! The memory of depths behind the renderer's ports: what triangles or other surfaces left there (thesis 5.4.6), or of what stands still.
 
 use crate::memory::{MemorySettings, ReadWriteMemory, Traffic};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::{Depth, DepthRun, Fragment, StoredDepth, depth_place};
+use pointcore_golden::reference::Frame;
 
 /// Bytes that a depth takes in memory.
 pub const DEPTH_BYTES: u32 = MERGED_DEPTH_BITS / u8::BITS;
@@ -18,7 +19,7 @@ impl Depths {
     /// Those of samples of hardware's image, none where `of` knows none.
     #[must_use]
     pub fn new(config: &Config, of: impl Fn(u32, u32) -> Option<f32>) -> Self {
-        let mut depths = vec![NO_DEPTH.to_bits(); (TILE_PIXELS as usize) << config.tile_bits()];
+        let mut depths = vec![NO_DEPTH.to_bits(); (TILE_PIXELS as usize) << config.image_tile_bits()];
         for (column, row) in (0..config.height).flat_map(|row| (0..config.width).map(move |column| (column, row))) {
             if let Some(depth) = of(column, row) {
                 depths[place(config, column, row)] = depth.to_bits();
@@ -27,10 +28,21 @@ impl Depths {
         Self(depths)
     }
 
+    /// Those of what is seen in a frame, sample by sample.
+    #[must_use]
+    pub fn of_frame(config: &Config, frame: &Frame) -> Self {
+        Self::new(config, |column, row| {
+            let (column, row) = (column as usize, row as usize);
+            let is_inside = column < frame.width && row < frame.height;
+            let found = frame.pixels.get(row * frame.width + column).filter(|_| is_inside)?;
+            found.as_ref().map(|fragment| fragment.depth as f32)
+        })
+    }
+
     /// Any bits, by their place in memory.
     #[must_use]
     pub fn of_places(config: &Config, bits: impl Fn(u32) -> u32) -> Self {
-        Self((0..TILE_PIXELS << config.tile_bits()).map(bits).collect())
+        Self((0..TILE_PIXELS << config.image_tile_bits()).map(bits).collect())
     }
 
     /// What is left of fragments of one surface that come before these depths, and leave theirs. Ends stay.
@@ -58,7 +70,8 @@ impl Depths {
 
 /// Where a sample's depth lies.
 const fn place(config: &Config, column: u32, row: u32) -> usize {
-    let tile = ((row / TILE_SIZE) << config.tile_column_bits()) | (column / TILE_SIZE);
+    let column_bits = config.tile_column_bits() - config.bin_bits();
+    let tile = ((row / TILE_SIZE) << column_bits) | (column / TILE_SIZE);
     depth_place(tile, row % TILE_SIZE * TILE_SIZE + column % TILE_SIZE) as usize
 }
 

@@ -102,7 +102,7 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         culling: if moves { Feature::On } else { feature(random) },
         screen_filter: if moves { Feature::Off } else { feature(random) },
         eye_plane: feature(random),
-        merge: if moves || random.u8(..3) > 0 { Feature::Off } else { Feature::On },
+        merge: if random.u8(..3) > 0 { Feature::Off } else { Feature::On },
         merge_ahead: mostly(random, 8..=40, 8..=1024),
         kernel_gamma: low + (high - low) * random.f64().powi(2),
         kernel_index_bits: random.u32(4..=10),

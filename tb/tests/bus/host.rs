@@ -155,7 +155,7 @@ pub struct Around {
 pub struct Bases {
     /// Its payloads.
     pub payloads: u32,
-    /// The depths that its fragments are tested against.
+    /// The depths that its fragments, or samples of what moves, are tested against.
     pub depths: u32,
 }
 
@@ -167,8 +167,9 @@ pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: M
     let payload_base = (buffer_base + config.buffer_tiles() as u32 * tile_bytes).next_multiple_of(BORDER_BYTES);
     let payload_bytes = config.payload_ports() * payload_bytes(config, bits);
     let depth_base = (payload_base + payload_bytes).next_multiple_of(BORDER_BYTES);
-    let depth_bytes = (TILE_PIXELS * DEPTH_BYTES) << config.tile_bits();
-    let [payloads, depths] = [config.payload_ports(), config.merge_ports()].map(|ports| ports as usize);
+    let depth_bytes = (TILE_PIXELS * DEPTH_BYTES) << config.image_tile_bits();
+    let ports = [config.payload_ports(), config.merge_ports(), config.depth_writers()];
+    let [payloads, depths, depth_writers] = ports.map(|ports| ports as usize);
     let reads = |buses: &[ReadMaster], bits: u32| buses.iter().map(|&bus| (bus, bits)).collect::<Vec<_>>();
     let writes = |buses: &[WriteMaster], bits: u32| buses.iter().map(|&bus| (bus, bits)).collect::<Vec<_>>();
     let around = Around {
@@ -184,7 +185,7 @@ pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: M
         writes: [
             writes(&[TOP.writes], bits),
             writes(&TOP.payload_writes[..payloads], bits),
-            writes(&TOP.depth_writes[..depths], MERGED_DEPTH_BITS),
+            writes(&TOP.depth_writes[..depth_writers], MERGED_DEPTH_BITS),
         ]
         .concat(),
         window: None,

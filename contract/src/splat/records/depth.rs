@@ -1,4 +1,4 @@
-//! Depths in memory, with which fragments are merged (thesis 5.4.6).
+//! Depths in memory, with which fragments are merged (thesis 5.4.6), or by which samples of what moves are hidden.
 
 use super::{PIXEL_BITS, RUN_BITS};
 use crate::record;
@@ -16,8 +16,8 @@ pub struct Depth {
 /// Depths of pixels of a tile that follow each other in a row.
 #[record(config: Config)]
 pub struct DepthRun {
-    /// Tile index.
-    #[bits(config.tile_bits())]
+    /// Tile of the image.
+    #[bits(config.image_tile_bits())]
     pub tile: u32,
     /// The first pixel of the tile.
     #[bits(PIXEL_BITS)]
@@ -30,8 +30,8 @@ pub struct DepthRun {
 /// A depth on its way to memory.
 #[record(config: Config)]
 pub struct StoredDepth {
-    /// Tile index.
-    #[bits(config.tile_bits())]
+    /// Tile of the image.
+    #[bits(config.image_tile_bits())]
     pub tile: u32,
     /// Pixel of the tile.
     #[bits(PIXEL_BITS)]

@@ -26,7 +26,7 @@ pub use payload::{
 };
 pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, StoredPixel, buffer_tile, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
-pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};
+pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel, SlotTile};
 pub use uniforms::{
     EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, late_uniforms, uniform_formats,
 };

@@ -13,6 +13,17 @@ pub struct Slot {
     pub slot: u8,
 }
 
+/// A slot with the tile that it gets.
+#[record(config: Config)]
+pub struct SlotTile {
+    /// Slot of the tile cache.
+    #[bits(config.slot_bits())]
+    pub slot: u8,
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+}
+
 /// A pixel of a slot.
 #[record(config: Config)]
 pub struct SlotPixel {

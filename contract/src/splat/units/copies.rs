@@ -4,8 +4,8 @@ use crate::splat::Config;
 use crate::splat::config::SLOT_BANKS;
 use crate::splat::records::{
     ArrivedCopy, CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, PayloadPlace, PayloadWord, Pixel,
-    PixelRun, PlacedCopy, SetupSplat, Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, StoredPixel, StoredWord,
-    TileCopy,
+    PixelRun, PlacedCopy, SetupSplat, Slot, SlotChange, SlotMasks, SlotPixel, SlotTile, SplatCopy, StoredPixel,
+    StoredWord, TileCopy,
 };
 use crate::unit;
 
@@ -125,6 +125,9 @@ pub struct TileCache {
     retire: PulseIn<Slot>,
     /// A slot gets another tile, until that is carried out in every bank.
     change: PulseOut<SlotChange>,
+    /// A slot gets this tile, and no sample of it comes for another cycle.
+    #[when(config.tests_samples())]
+    placed: PulseOut<SlotTile>,
     /// What the slot that changed last held before.
     masks: Input<SlotMasks>,
     /// Write to a slot, until it is carried out.

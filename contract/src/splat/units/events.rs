@@ -38,6 +38,10 @@ pub struct LaneEvents {
     pub rasterizer: RasterizerEvents,
     /// Its accumulator.
     pub accumulator: AccumulatorEvents,
+    /// A depth in memory hid a sample.
+    #[when(config.tests_samples())]
+    #[name("event_hidden")]
+    pub hidden: bool,
 }
 
 /// What the core did: numbers of its rasterizers or accumulators.
@@ -67,9 +71,9 @@ pub struct Events {
     #[name("event_slot_wait")]
     #[bits(config.rasterizer_bits() + 1)]
     pub slot_wait: u8,
-    /// Fragments that something nearer in memory hides.
+    /// Fragments that something nearer in memory hides, or samples of what moves.
     #[when(config.merge.is_on())]
     #[name("event_hidden")]
-    #[bits(config.port_count_bits())]
+    #[bits(config.merge_count_bits())]
     pub hidden: u8,
 }

@@ -3,7 +3,8 @@
 use super::events::LaneEvents;
 use crate::splat::Config;
 use crate::splat::records::{
-    FinishedPixel, Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel, StoredWord,
+    Depth, DepthRun, FinishedPixel, Fragment, PayloadPlace, PayloadWord, Pixel, PixelRun, SplatCopy, StoredPixel,
+    StoredWord,
 };
 use crate::unit;
 
@@ -43,6 +44,12 @@ pub struct Lane {
     /// Words of payloads that are kept.
     #[when(config.has_payloads_in_memory())]
     payload_write: Out<StoredWord>,
+    /// Depths wanted, behind which samples are hidden.
+    #[when(config.tests_samples())]
+    depth_read: Out<DepthRun>,
+    /// They, in order.
+    #[when(config.tests_samples())]
+    depth_data: In<Depth>,
     /// Its number.
     #[when(config.rasterizers > 1)]
     #[bits(config.rasterizer_bits())]

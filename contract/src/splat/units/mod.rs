@@ -12,7 +12,7 @@ pub use copies::{heap, lists, payloads, prefetch, reorder, splitter, tile_cache}
 pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
 pub use lanes::{arbiter, collector, distributor, fragment_collector, lane};
 pub use motion::{motion_evaluation, motion_setup};
-pub use samples::{accumulator, depth_test, merge, normalizer, rasterizer, weighting};
+pub use samples::{accumulator, depth_test, merge, normalizer, occlusion, rasterizer, weighting};
 pub use splats::{setup, transform};
 pub use whole::top;
 
@@ -20,7 +20,7 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last. Those of motion stand beside it.
-pub static UNITS: [&Unit<Config>; 23] = [
+pub static UNITS: [&Unit<Config>; 24] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
@@ -32,6 +32,7 @@ pub static UNITS: [&Unit<Config>; 23] = [
     &prefetch::UNIT,
     &tile_cache::UNIT,
     &rasterizer::UNIT,
+    &occlusion::UNIT,
     &weighting::UNIT,
     &depth_test::UNIT,
     &accumulator::UNIT,

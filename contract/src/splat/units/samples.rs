@@ -5,7 +5,7 @@ use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, SLOT_BANKS, WEIGHT_SUM_BITS};
 use crate::splat::records::{
     CompleteCopy, Depth, DepthRun, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Shutter, Slot, SlotChange,
-    SlotMasks, SlotPixel, StoredDepth, WeightedSample,
+    SlotMasks, SlotPixel, SlotTile, StoredDepth, WeightedSample,
 };
 use crate::unit;
 
@@ -28,6 +28,26 @@ pub struct Rasterizer {
     /// What happened in the last cycle.
     #[port("")]
     events: Output<RasterizerEvents>,
+}
+
+/// Leaves out samples that lie behind depths in memory.
+#[unit(splat_occlusion, config: Config)]
+#[when(config.tests_samples())]
+pub struct Occlusion {
+    /// Samples.
+    #[port("in")]
+    input: In<Sample>,
+    /// Those that nothing hides. One that is hidden and closes its copy lies outside.
+    out: Out<Sample>,
+    /// A slot gets another tile.
+    placed: PulseIn<SlotTile>,
+    /// Depths wanted.
+    depth_read: Out<DepthRun>,
+    /// They, in order.
+    depth_data: In<Depth>,
+    /// A sample was hidden in the last cycle.
+    #[port("event_hidden")]
+    hidden: Output<bool>,
 }
 
 /// Weights depth and attributes.
@@ -110,7 +130,7 @@ pub struct Normalizer {
 
 /// Tests fragments against depths in memory, and leaves out those that are not nearer (thesis 5.4.6).
 #[unit(splat_merge, config: Config)]
-#[when(config.merge.is_on())]
+#[when(config.tests_fragments())]
 pub struct Merge {
     /// Fragments.
     #[port("in")]

@@ -39,14 +39,14 @@ pub struct Top {
     /// Words of payloads that are kept.
     #[count(config.payload_ports())]
     payload_write: [Out<StoredWord>; 8],
-    /// Depths in memory that fragments are tested against: one port for each of `fragment`.
+    /// Depths in memory that fragments are tested against, one port for each of `fragment`; or samples of what moves, one for each rasterizer.
     #[count(config.merge_ports())]
-    depth_read: [Out<DepthRun>; 4],
+    depth_read: [Out<DepthRun>; 8],
     /// They, in order.
     #[count(config.merge_ports())]
-    depth_data: [In<Depth>; 4],
+    depth_data: [In<Depth>; 8],
     /// Depths of fragments that were nearer.
-    #[count(config.merge_ports())]
+    #[count(config.depth_writers())]
     depth_write: [Out<StoredDepth>; 4],
     /// What happened in the last cycle.
     #[port("")]

@@ -21,7 +21,7 @@ use leaving::{Leaving, Seen};
 use pending::{Pending, SurfacePlace};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, SLOT_BANKS, SURFACES};
-use pointcore_contract::splat::records::{FinishedPixel, PlacedCopy, Slot, SlotChange, TileCopy};
+use pointcore_contract::splat::records::{FinishedPixel, PlacedCopy, Slot, SlotChange, SlotTile, TileCopy};
 pub use pointcore_contract::splat::units::tile_cache::{In, Out};
 use traffic::{Aim, Traffic};
 
@@ -137,6 +137,11 @@ impl TileCache {
     /// Where pixels may go in this cycle.
     fn aim(&self) -> Aim {
         Aim { slot: self.is_at(JobStep::Move).map(|job| job.slot.slot), has_room: self.pixel.in_ready() }
+    }
+
+    fn placed(&self) -> Option<SlotTile> {
+        let Job { slot: Slot { slot }, comes, .. } = self.is_at(JobStep::Read)?;
+        Some(SlotTile { slot, tile: comes? })
     }
 
     fn change(&self) -> Option<SlotChange> {
@@ -272,6 +277,7 @@ impl Model for TileCache {
             write: self.traffic.write.out().copied(),
             pixel: self.pixel.out().copied(),
             slot_ready: self.slot_ready(),
+            placed: self.placed(),
             change: self.change(),
             fill: self.traffic.fill,
             drain: self.traffic.drain(self.aim()),

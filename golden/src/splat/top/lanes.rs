@@ -92,6 +92,8 @@ impl Shown {
             lane.payload_read_ready = inputs.payload_read_ready[number];
             lane.payload_data = inputs.payload_data[number];
             lane.payload_write_ready = inputs.payload_write_ready[number];
+            lane.depth_read_ready = inputs.depth_read_ready[number];
+            lane.depth_data = inputs.depth_data[number];
         }
         seen
     }
@@ -108,6 +110,7 @@ impl Shown {
             counts.accumulate += u8::from(accumulator.accumulate);
             counts.hazard += u8::from(accumulator.hazard);
             counts.slot_wait += u8::from(accumulator.slot_wait);
+            counts.hidden += u8::from(lane.events().hidden);
         }
         counts
     }

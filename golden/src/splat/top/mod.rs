@@ -121,7 +121,7 @@ impl Top {
             ended: vec![false; config.memory_ports as usize],
             frame_sent: false,
             normalizers: vec![Normalizer::new(config, latencies.normalizer); config.memory_ports as usize],
-            merges: vec![Merge::new(config); config.merge_ports() as usize],
+            merges: vec![Merge::new(config); config.depth_writers() as usize],
         }
     }
 
@@ -215,6 +215,12 @@ impl Model for Top {
             let lane::Out { payload_read, payload_data_ready, payload_write, .. } = lane.ports();
             (out.payload_read[port], out.payload_data_ready[port]) = (payload_read, payload_data_ready);
             out.payload_write[port] = payload_write;
+        }
+        if self.config.tests_samples() {
+            for (port, lane) in lanes.lanes.iter().enumerate() {
+                let lane::Out { depth_read, depth_data_ready, .. } = lane.ports();
+                (out.depth_read[port], out.depth_data_ready[port]) = (depth_read, depth_data_ready);
+            }
         }
         out
     }

@@ -28,8 +28,6 @@ pub(super) struct Buffer<'a, P: Record> {
     pub base: Expr,
     /// The unit that reads.
     pub reads: Instance,
-    /// The unit that writes.
-    pub writes: Instance,
 }
 
 /// Pixels that are read.
@@ -56,21 +54,30 @@ pub(super) struct Placed<B> {
 
 impl<P: Record> Buffer<'_, P> {
     /// Leads reads and writes of pixels to memory. A read sees every write before it: it waits until all are answered, and no other is
-    /// taken meanwhile.
-    pub fn order(&self, m: &mut Module, read: Flow<Run>, write: Flow<Placed<Wired<P>>>) {
-        let stride_bits = Layout::record::<P>(self.config).stride(self.memory_bits).ilog2();
-        let writer_idle = WriterPorts::<P>::ALL.idle.word_of(m, self.writes);
+    /// taken meanwhile. `writes` is the unit that writes.
+    pub fn order(&self, m: &mut Module, read: Flow<Run>, writes: Instance, write: Flow<Placed<Wired<P>>>) {
+        let writer_idle = WriterPorts::<P>::ALL.idle.word_of(m, writes);
+        self.read(m, read, writer_idle);
+        let Placed { tile, pixel, value } = write.record;
+        let address = self.address(m, "pixel_address", tile, pixel);
+        let no_read = m.wire(&format!("{}no_read", self.name), !read.valid);
+        let writes = (writes, WriterPorts::<P>::ALL.input);
+        feed(m, self.config, (write.valid, write.ready), writes, no_read, Addressed { address, record: value });
+    }
+
+    /// Leads reads of pixels to memory, in cycles where they may be taken.
+    pub fn read(&self, m: &mut Module, read: Flow<Run>, may_read: Expr) {
         let Run { tile, pixel, count } = read.record;
-        let named = |what: &str| format!("{}{what}", self.name);
-        let address = m.wire(&named("run_address"), place(self.base, cat([tile, pixel]), stride_bits));
+        let address = self.address(m, "run_address", tile, pixel);
         let reads = (self.reads, ReaderPorts::<P>::ALL.request);
         let request = ReadRequest { address, records: count };
-        feed(m, &self.run_pixels, (read.valid, read.ready), reads, writer_idle, request);
-        let Placed { tile, pixel, value } = write.record;
-        let address = m.wire(&named("pixel_address"), place(self.base, cat([tile, pixel]), stride_bits));
-        let no_read = m.wire(&named("no_read"), !read.valid);
-        let writes = (self.writes, WriterPorts::<P>::ALL.input);
-        feed(m, self.config, (write.valid, write.ready), writes, no_read, Addressed { address, record: value });
+        feed(m, &self.run_pixels, (read.valid, read.ready), reads, may_read, request);
+    }
+
+    /// Where a pixel lies.
+    fn address(&self, m: &mut Module, what: &str, tile: Expr, pixel: Expr) -> Expr {
+        let stride_bits = Layout::record::<P>(self.config).stride(self.memory_bits).ilog2();
+        m.wire(&format!("{}{what}", self.name), place(self.base, cat([tile, pixel]), stride_bits))
     }
 }
 
@@ -132,8 +139,8 @@ pub fn alone<P: Record>(
     let PixelPlace { tile, pixel } = PixelPlace::<Wires>::from_values(&bits, values.by_ref());
     let value = <Wired<P>>::from_values(config, values);
     let write = Flow { valid: write.valid, record: Placed { tile, pixel, value }, ready: write.ready };
-    let buffer = Buffer::<P> { name: "", config, run_pixels, memory_bits, base, reads, writes };
-    buffer.order(&mut m, read.map(|PixelRun { tile, pixel, count }| Run { tile, pixel, count }), write);
+    let buffer = Buffer::<P> { name: "", config, run_pixels, memory_bits, base, reads };
+    buffer.order(&mut m, read.map(|PixelRun { tile, pixel, count }| Run { tile, pixel, count }), writes, write);
     let data = reader.record.of(&mut m, config, reads);
     Out::<P>::new("data", "valid", "The pixels.").export(&mut m, config, data);
     m

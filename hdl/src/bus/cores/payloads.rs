@@ -47,7 +47,7 @@ fn connect_port(
         reads_max: config.payload_ahead.clamp(2, READS_MAX),
         awaited_max: config.payload_ahead * words,
         base,
-        buses: (TOP.payload_reads[port], TOP.payload_writes[port]),
+        bus: TOP.payload_reads[port],
     };
-    memory.connect(m, read, (core, PORTS.payload_data[port]), write, abort)
+    memory.connect(m, read, (core, PORTS.payload_data[port]), Some((write, TOP.payload_writes[port])), abort)
 }

@@ -29,16 +29,16 @@ pub(super) struct MemoryPort<'a, P: Record> {
     pub awaited_max: u32,
     /// Where the first record lies.
     pub base: Expr,
-    /// The buses.
-    pub buses: (ReadMaster, WriteMaster),
+    /// The bus that is read by.
+    pub bus: ReadMaster,
 }
 
 /// What the other parts hear of a port.
 pub(super) struct PortSignals {
     /// A burst is misshapen.
     pub misplaced: Expr,
-    /// Memory answers with an error, to reads and to writes.
-    pub errors: [Expr; 2],
+    /// Memory answers with an error, to reads and, where there are any, to writes.
+    pub errors: Vec<Expr>,
     /// All that was written is answered.
     pub written: Expr,
     /// All records that were asked for have come.
@@ -46,32 +46,45 @@ pub(super) struct PortSignals {
 }
 
 impl<P: Record<Domain = Words>> MemoryPort<'_, P> {
-    /// Leads a core's reads and writes to memory, and what comes from there to the core's `data`.
+    /// Leads a core's reads to memory, and what comes from there to the core's `data`; and what it writes, if it does, by a bus.
     pub fn connect(
         self,
         m: &mut Module,
         read: Flow<Run>,
         (core, data): (Instance, In<P>),
-        write: Flow<Placed<Wired<P>>>,
+        write: Option<(Flow<Placed<Wired<P>>>, WriteMaster)>,
         abort: Abort,
     ) -> PortSignals {
         let (reader_ports, writer_ports) = (ReaderPorts::<P>::ALL, WriterPorts::<P>::ALL);
-        let Self { name, config, bits, records_max, reads_max, awaited_max, base, buses } = self;
+        let Self { name, config, bits, records_max, reads_max, awaited_max, base, bus } = self;
         let reads = m.instance(&format!("{name}reads"), reader::limited::<P>(config, bits, records_max, reads_max));
-        let writes = m.instance(&format!("{name}writes"), writer::module::<P>(config, bits));
-        export(m, &bits, (reads, reader_ports.memory), buses.0);
-        export(m, &bits, (writes, writer_ports.memory), buses.1);
+        let writes = write.map(|(write, bus)| {
+            let writes = m.instance(&format!("{name}writes"), writer::module::<P>(config, bits));
+            (writes, write, bus)
+        });
+        export(m, &bits, (reads, reader_ports.memory), bus);
         let count = read.record.count;
         let asked = (read.valid & read.ready).repeat(count.width()) & count;
-        let buffer = Buffer::<P> { name, config, run_pixels: records_max, memory_bits: bits, base, reads, writes };
-        buffer.order(m, read, write);
+        let buffer = Buffer::<P> { name, config, run_pixels: records_max, memory_bits: bits, base, reads };
+        match writes {
+            Some((writes, write, bus)) => {
+                export(m, &bits, (writes, writer_ports.memory), bus);
+                buffer.order(m, read, writes, write);
+            }
+            None => buffer.read(m, read, bit(true)),
+        }
 
         let came = reader_ports.record.of(m, config, reads);
         let taken = data.offer(m, config, core, came.valid, came.record);
         m.drive(came.ready, taken | abort.drops);
         let awaited = unfinished(m, &format!("{name}awaited"), awaited_max, asked, came.transfer(), bit(false));
         let [misplaced, read_error] = [reader_ports.misplaced, reader_ports.error].map(|port| port.word_of(m, reads));
-        let [write_error, written] = [writer_ports.error, writer_ports.idle].map(|port| port.word_of(m, writes));
-        PortSignals { misplaced, errors: [read_error, write_error], written, all_came: awaited.is_zero() }
+        let mut signals =
+            PortSignals { misplaced, errors: vec![read_error], written: bit(true), all_came: awaited.is_zero() };
+        if let Some((writes, ..)) = writes {
+            signals.errors.push(writer_ports.error.word_of(m, writes));
+            signals.written = writer_ports.idle.word_of(m, writes);
+        }
+        signals
     }
 }

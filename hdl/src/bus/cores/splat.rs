@@ -32,8 +32,9 @@ use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
 
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
 fn error_sources(config: &Config) -> ErrorSources {
-    let memories = 1 + config.payload_ports() + config.merge_ports();
-    ErrorSources { busy: 0, burst: memories, packet: 1, memory: 2 * memories }
+    let memories = 1 + config.payload_ports();
+    let reads = memories + config.merge_ports();
+    ErrorSources { busy: 0, burst: reads, packet: 1, memory: reads + memories + config.depth_writers() }
 }
 
 /// Pixels that may be asked for and not taken: enough for memory's latency, so that one a cycle may come. A power of two.
@@ -92,14 +93,14 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
 
     let SplatSettings { buffer_base: base, payload_base, depth_base } = CONTROL.settings.of(&mut m, config, control);
     let (run_pixels, memory_bits) = (RUN_PIXELS_MAX, bus.memory_bits);
-    let buffer = Buffer::<Pixel> { name: "", config, run_pixels, memory_bits, base, reads, writes };
+    let buffer = Buffer::<Pixel> { name: "", config, run_pixels, memory_bits, base, reads };
     let write = memory.write.of(&mut m, config, memory.instance);
     let write = write.map(|StoredPixel { surface, placed }| {
         let PlacedPixel { tile, pixel, value } = placed;
         Placed { tile: cat([surface, tile]), pixel, value }
     });
     let (read, all_came) = read_pixels(&mut m, config, memory, reads, abort);
-    buffer.order(&mut m, read, write);
+    buffer.order(&mut m, read, writes, write);
     let mut others = payloads::connect(&mut m, config, core, payload_base, abort);
     others.extend(depths::connect(&mut m, config, core, depth_base, abort));
 
@@ -121,7 +122,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let errors = ErrorInputs {
         burst_error: cat(others.iter().map(|port| port.misplaced).chain([misplaced])),
         packet_error: SPLATS.refused.word_of(&mut m, splats),
-        memory_error: cat(others.iter().flat_map(|port| port.errors).chain([write_error, read_error])),
+        memory_error: cat(others.iter().flat_map(|port| port.errors.iter().copied()).chain([write_error, read_error])),
         ..ErrorInputs::default()
     };
     CONTROL.errors.feed(&mut m, &sources, control, errors);

@@ -12,7 +12,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{
     PLACED_QUEUE_DEPTH, RUNS_ASKED_MAX, SLOT_BANKS, SURFACE_BITS, TILE_PIXELS, WRITE_QUEUE_DEPTH,
 };
-use pointcore_contract::splat::records::{PlacedCopy, SlotChange, TileCopy};
+use pointcore_contract::splat::records::{PlacedCopy, SlotChange, SlotTile, TileCopy};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
 use super::parts::share;
@@ -192,6 +192,10 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     // The mask of the tile that is looked at becomes empty.
     let sends = m.forward("mask_is_sent", 1);
     let placement = place_copy(&mut m, config, &state, &directory, &head, out, (draws_what_leaves, sends.expr()));
+    if config.tests_samples() {
+        let placed = SlotTile { slot: *state.slot, tile: *state.tile };
+        PORTS.placed.drive(&mut m, config, state.looking & state.comes, placed);
+    }
     let masks = PORTS.masks.declare(&mut m, config);
     let stored =
         stored_masks(&mut m, config, &state, &leaving, (placement.misses, tile), (masks.written, sends.expr()));

@@ -77,7 +77,7 @@ fn normalizers(
 
 /// What tests fragments against depths in memory, one for each port to memory.
 fn merges(m: &mut Module, config: &Config) -> Vec<Instance> {
-    let module = config.merge.is_on().then(|| Rc::new(merge::module(config)));
+    let module = config.tests_fragments().then(|| Rc::new(merge::module(config)));
     let place = |(port, module): (usize, Rc<Module>)| m.instance(&numbered("merge", port), module);
     module.into_iter().cycle().take(config.memory_ports as usize).enumerate().map(place).collect()
 }
@@ -164,7 +164,7 @@ fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
         units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
         fragments.push((normalizer, units::normalizer::PORTS.out));
     }
-    if config.merge.is_on() {
+    if config.tests_fragments() {
         for (fragment, &merge) in fragments.iter_mut().zip(&instances.merges) {
             pipe(m, config, *fragment, (merge, units::merge::PORTS.input));
             *fragment = (merge, units::merge::PORTS.out);
@@ -212,7 +212,21 @@ fn depths(m: &mut Module, config: &Config, merges: &[Instance]) -> Expr {
         port.export(m, config, write);
     }
     let hidden: Vec<_> = merges.iter().map(|&merge| TESTS.hidden.word_of(m, merge)).collect();
-    sum(config.port_count_bits(), hidden.into_iter())
+    sum(config.merge_count_bits(), hidden.into_iter())
+}
+
+/// Connects the lanes to depths in memory, each by a port of its own; returns how many samples these hid in the last cycle.
+fn depths_of_samples(m: &mut Module, config: &Config, lanes: &Lanes) -> Expr {
+    for (port, lane) in PORTS.depth_read.iter().zip(lanes.each()) {
+        let read = lane::PORTS.depth_read.of(m, config, lane);
+        port.export(m, config, read);
+    }
+    for (port, lane) in PORTS.depth_data.iter().zip(lanes.each()) {
+        let data = port.declare(m, config);
+        lane::PORTS.depth_data.feed(m, config, lane, data);
+    }
+    let hidden: Vec<_> = lanes.each().map(|lane| lane::PORTS.events.of(m, config, lane).hidden).collect();
+    sum(config.merge_count_bits(), hidden.into_iter())
 }
 
 /// Tells the lanes once the end of a frame has left all ports, of which each says so in one cycle.
@@ -249,8 +263,10 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     pixels(&mut m, config, &instances);
     payloads(&mut m, config, &instances.lanes);
     let mut events = instances.lanes.events(&mut m, config);
-    if config.merge.is_on() {
+    if config.tests_fragments() {
         events.hidden = depths(&mut m, config, &instances.merges);
+    } else if config.tests_samples() {
+        events.hidden = depths_of_samples(&mut m, config, &instances.lanes);
     }
     PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })

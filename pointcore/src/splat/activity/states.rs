@@ -165,7 +165,8 @@ impl Default for Lane {
 impl Lane {
     /// What its units do, but for those that its events tell of.
     fn see(&mut self, inputs: &lane::In, shown: &lane::Shown, counts: &mut Counts) {
-        let lane::Shown { payloads, reorder, prefetch, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let lane::Shown { payloads, reorder, prefetch, tile_cache, rasterizer, occlusion, weighting, accumulator } =
+            shown;
         let light = Stream::new(payloads.copy.as_ref(), reorder.in_ready);
         let in_slots = Stream::new(tile_cache.out.as_ref(), payloads.placed_ready);
         let complete = Stream::new(payloads.out.as_ref(), rasterizer.in_ready);
@@ -174,7 +175,8 @@ impl Lane {
             None => (reorder.out, tile_cache.in_ready),
         };
         let ordered = Stream::new(reorder.out.as_ref(), takes_ordered);
-        let samples = Stream::new(rasterizer.out.as_ref(), weighting.in_ready);
+        let seen = occlusion.as_ref().map_or(&rasterizer.out, |occlusion| &occlusion.out);
+        let samples = Stream::new(seen.as_ref(), weighting.in_ready);
         let weighted = Stream::new(weighting.out.as_ref(), accumulator.in_ready);
         let finished = Stream::new(tile_cache.pixel.as_ref(), inputs.pixel_ready);
         // What is on its way between its two sides is not its work.
