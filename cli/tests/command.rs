@@ -373,7 +373,7 @@ fn a_moving_scene_is_rendered_on_two_cores() {
     // On hardware for a larger image, as it is.
     workplace.write(
         "larger.toml",
-        "kind = \"splat\"\n[image]\nwidth = 128\nheight = 128\n[features]\ntime_bins = 8\nkernel_index_bits = 10\nscreen_filter = \"off\"\n",
+        "kind = \"splat\"\n[image]\nwidth = 128\nheight = 128\n[features]\ntime_bins = 8\nmerge = \"on\"\nkernel_index_bits = 10\nscreen_filter = \"off\"\n",
     );
     let given = json(&workplace.succeeds(&[&run[..], &["--config", "larger.toml", "-o", "given"]].concat()));
     assert_eq!((&given["fragments"], &given["psnr_db"]), (&report["fragments"], &report["psnr_db"]));
@@ -388,7 +388,11 @@ fn motion_that_no_hardware_has_is_refused() {
         "small.toml",
         "kind = \"splat\"\n[image]\nwidth = 32\nheight = 64\n[features]\ntime_bins = 2\nscreen_filter = \"off\"\n",
     );
-    let cases: [(&[&str], &[&str]); 7] = [
+    workplace.write(
+        "apart.toml",
+        "kind = \"splat\"\n[image]\nwidth = 64\nheight = 64\n[features]\ntime_bins = 8\nscreen_filter = \"off\"\n",
+    );
+    let cases: [(&[&str], &[&str]); 8] = [
         (
             &["run", "--set", "splatting.motion=exact"],
             &["`splatting.motion` = \"exact\"", "bins:8", "--model reference"],
@@ -401,6 +405,7 @@ fn motion_that_no_hardware_has_is_refused() {
         ),
         (&["run", "--config", "still.toml"], &["motion blur", "`time_bins` = 0", "set `time_bins = 8`"]),
         (&["run", "--config", "small.toml"], &["`width` = 32", "set `width = 64`"]),
+        (&["run", "--config", "apart.toml"], &["depths in memory", "`merge` = \"off\"", "set `merge = \"on\"`"]),
         (&["run", "--normals"], &["--normals", "several surfaces"]),
     ];
     for (arguments, parts) in cases {

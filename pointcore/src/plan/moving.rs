@@ -66,10 +66,20 @@ impl MovingPlan {
         let each = || splats.iter().map(|moving| &moving.splat);
         let constants = differing(each());
         let plan = held(scene, config, constants, materials(each()))?;
+        let still = scene.still_part();
+        if still.is_some() && !config.merge.is_on() {
+            return Err(PlanError::Excluded {
+                effect: "depths in memory",
+                reason: "what stands still in it may hide what moves".to_owned(),
+                key: "merge",
+                value: "\"off\"".to_owned(),
+                remedy: "set `merge = \"on\"`".to_owned(),
+            });
+        }
         let everything = Config { eye_plane: Feature::On, ..config.clone() };
         let demand = Demand::of_moving(scene, &splats, &everything);
         let moving = plan.meeting(scene, &demand)?;
-        let still = scene.still_part().map(|still| Plan::with_overrides(&still, &toml::Table::new())).transpose()?;
+        let still = still.map(|still| Plan::with_overrides(&still, &toml::Table::new())).transpose()?;
         Ok(Self { moving, still })
     }
 }
@@ -98,9 +108,10 @@ pub(super) fn choices(
     scene: &Scene,
     splats: &[MovingSplat],
     demand: &Demand,
-    time_bins: u32,
+    config: &Config,
     reason: String,
 ) -> Vec<Choice> {
+    let time_bins = config.time_bins;
     let parts = splats.len();
     let discs = demand.discs;
     let filter = match scene.rendering.filter_radius_px {
@@ -120,6 +131,11 @@ pub(super) fn choices(
                 scene.splats.len()
             ),
         ),
+        if config.merge.is_on() {
+            fixed("merge", "depths in memory", "what stands still hides what moves behind it")
+        } else {
+            fixed("merge", "none", "nothing stands still; no depths are read from memory")
+        },
         fixed("screen filter", chosen, &filter),
         fixed("back-face culling", "generated", "a splat that moves lives while it faces the eye"),
     ]

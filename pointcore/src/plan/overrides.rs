@@ -11,7 +11,10 @@ const SCENE_KEYS: [(&str, &str); 8] = [
     ("sampling", "set `image.sampling`"),
     ("depth", "set `splatting.depth`"),
     ("time_bins", "set `splatting.motion`, e.g. to \"bins:4\"; it is 0 where nothing moves"),
-    ("merge", "it is \"on\" with `object.draw = \"triangles\"` or `splatting.surfaces = \"objects\"`"),
+    (
+        "merge",
+        "it is \"on\" with `object.draw = \"triangles\"`, `splatting.surfaces = \"objects\"`, or what stands still beside what moves",
+    ),
     ("kernel_gamma", "set `splatting.kernel_gamma`"),
     ("cardinal", "it is 1 where splats differ in `material`"),
 ];

@@ -92,7 +92,7 @@ impl<'a> Planner<'a> {
         let demand = Demand::of_moving(scene, splats, &everything);
         let constants = differing(splats.iter().map(|moving| &moving.splat));
         let materials = materials(splats.iter().map(|moving| &moving.splat));
-        let motion = moving::choices(scene, splats, &demand, time_bins, reason);
+        let motion = moving::choices(scene, splats, &demand, &config, reason);
         let attributes = varying(&constants);
         Ok(Self { scene, overrides, asked, config, demand, attributes, constants, materials, motion })
     }
@@ -191,5 +191,6 @@ fn of_scene(scene: &Scene, time_bins: u32) -> Config {
         return still;
     }
     // Shares of the exposure are differences of the kernel's integral: its table has to be fine.
-    Config { time_bins, screen_filter: Feature::Off, culling: Feature::On, kernel_index_bits: 10, ..still }
+    let merge = feature(scene.still_part().is_some());
+    Config { time_bins, merge, screen_filter: Feature::Off, culling: Feature::On, kernel_index_bits: 10, ..still }
 }

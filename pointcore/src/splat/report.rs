@@ -85,7 +85,7 @@ pub struct SplatReport {
     pub payload_write_bytes: u64,
     /// Bytes that the memory moved for both, whole bursts.
     pub payload_moved_bytes: u64,
-    /// Fragments that something nearer in memory hid; none without `merge`, and in what follows.
+    /// Fragments that something nearer in memory hid, or samples of what moves; none without `merge`, and in what follows.
     pub hidden: u64,
     /// Bytes of depths read from memory.
     pub depth_read_bytes: u64,
@@ -295,9 +295,13 @@ impl SplatReport {
             rows.push(("payloads written to memory", format!("{} bytes", self.payload_write_bytes)));
         }
         if self.depth_moved_bytes > 0 {
-            rows.push(("fragments behind what was in memory", self.hidden.to_string()));
+            let moves = self.time_bins > 0;
+            let what = if moves { "samples behind what stands still" } else { "fragments behind what was in memory" };
+            rows.push((what, self.hidden.to_string()));
             rows.push(("depths read from memory", format!("{} bytes", self.depth_read_bytes)));
-            rows.push(("depths written to memory", format!("{} bytes", self.depth_write_bytes)));
+            if !moves {
+                rows.push(("depths written to memory", format!("{} bytes", self.depth_write_bytes)));
+            }
         }
         rows.push(("PSNR against the f64 reference", psnr));
         if let Some(differences) = &self.differences {

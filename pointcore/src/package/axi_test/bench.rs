@@ -17,6 +17,8 @@ const READ_MEMORY: &str = include_str!("bench/read_memory.sv");
 const BUFFER: &str = include_str!("bench/buffer.sv");
 const PIXELS: &str = include_str!("bench/pixels.sv");
 const RECORD_MEMORY: &str = include_str!("bench/record_memory.sv");
+const RECORD_WRITES: &str = include_str!("bench/record_writes.sv");
+const RECORDS_ARE_READ: &str = include_str!("bench/records_are_read.sv");
 const SCRIPT: &str = include_str!("bench/script.sv");
 const WINDOW_OPERATIONS: &str = include_str!("bench/window_operations.sv");
 const WINDOW_POSTED: &str = include_str!("bench/window_posted.sv");
@@ -84,7 +86,7 @@ pub const fn depth_at(place: u32) -> u32 {
     NEAREST_HELD.to_bits() + (place.wrapping_mul(SPREAD) >> SPREAD_SHIFT)
 }
 
-/// Records that the renderer reads and writes by ports of their own.
+/// Records that the renderer has behind ports of their own.
 pub struct RecordMemory {
     /// What the records are called.
     pub kind: &'static str,
@@ -92,6 +94,8 @@ pub struct RecordMemory {
     pub ports: Vec<&'static str>,
     /// Whether each port has records of its own, one's behind the other's.
     pub is_apart: bool,
+    /// Whether the renderer writes them, too.
+    pub is_written: bool,
     /// Records that a port has.
     pub records: u32,
     /// Beats of a record.
@@ -126,6 +130,7 @@ impl RecordMemory {
         for (number, port) in self.ports.iter().enumerate() {
             let offset = if self.is_apart { number } else { 0 };
             text += &RECORD_MEMORY
+                .replace("STORED_BY\n", if self.is_written { RECORD_WRITES } else { RECORDS_ARE_READ })
                 .replace("UNWRITTEN", &unwritten)
                 .replace("NAME", port)
                 .replace("OFFSET", &offset.to_string())

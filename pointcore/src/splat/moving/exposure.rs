@@ -6,10 +6,10 @@ use crate::shading;
 use crate::splat::frame::surface;
 use pointcore_contract::splat::motion::TIME_FRACTION_BITS;
 use pointcore_contract::splat::records::{self, Seen};
+use pointcore_golden::reference::Frame;
 use pointcore_golden::reference::motion::{Exposure, Place};
-use pointcore_golden::reference::{Fragment, Frame};
 
-/// What fragments expose, surface by surface, before a frame of what stands still: what lies behind that is not seen.
+/// What fragments expose, surface by surface, before a frame of what stands still.
 #[must_use]
 pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still: Option<&Frame>) -> Exposure {
     let rendering = &scene.rendering;
@@ -25,8 +25,7 @@ pub fn expose(scene: &Scene, plan: &Plan, fragments: &[records::Fragment], still
         let Seen { share, rest_share, depth, ref attributes, .. } = found.seen;
         for (share, depth, attributes) in [(share, found.depth, &found.attributes), (rest_share, depth, attributes)] {
             let surface = surface(plan, depth, attributes);
-            let hides = |still: &Fragment| still.depth < surface.depth - rendering.epsilon_bias;
-            if share > 0 && !still.and_then(|still| still.pixels[index].as_ref()).is_some_and(hides) {
+            if share > 0 {
                 let share = f64::from(share) / f64::from(1 << TIME_FRACTION_BITS);
                 exposure.samples[index].add(shade(&surface, place.position), share);
             }

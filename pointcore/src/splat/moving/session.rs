@@ -8,6 +8,7 @@ use crate::picture::Picture;
 use crate::plan::{MovingPlan, Plan};
 use crate::scene::Scene;
 use crate::shading;
+use crate::splat::depth_memory::Depths;
 use crate::splat::encode::EncodedFrame;
 use crate::splat::machine::Machine;
 use crate::splat::{Fates, RenderEngine, RenderError, RenderSession, RenderedFrame, SplatCore, SplatOutcome};
@@ -122,7 +123,8 @@ impl MovingSession {
     pub fn frame_with(&mut self, progress: Progress, waveform: Option<&Waveform>) -> Result<ExposedFrame, RenderError> {
         let still = self.still.as_mut().map(|still| still.frame(0)).transpose()?;
         let (scene, plan) = (&self.scene, &self.plan);
-        let frame = EncodedFrame::new(scene, plan);
+        let depths = still.as_ref().map(|still| Depths::of_frame(&plan.config, &still.samples));
+        let frame = EncodedFrame { depths, ..EncodedFrame::new(scene, plan) };
         let outcome = self.machine.run(&frame, progress, waveform)?;
         let exposure = expose(scene, plan, &outcome.fragments, still.as_ref().map(|still| &still.samples));
         let picture = shading::exposed(&exposure, scene);
@@ -144,8 +146,7 @@ mod tests {
     use crate::splat::SplatRunner;
     use std::path::Path;
 
-    /// Hardware sums in fewer bits, takes the depth of a bin from its ends, counts the filter's weight beside the splat's where both lie, and
-    /// hides what stands still a surface at a time.
+    /// Hardware sums in fewer bits, takes the depth of a bin from its ends, and counts the filter's weight beside the splat's where both lie.
     const PSNR_DB: f64 = 45.0;
 
     fn scene(name: &str) -> Scene {

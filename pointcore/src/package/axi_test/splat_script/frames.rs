@@ -1,6 +1,8 @@
 //! Small frames whose splats lie in tiles all over the picture, and what the golden model makes of them.
 
+use super::super::bench::depth_at;
 use crate::number::{encode, encode_attribute};
+use crate::splat::depth_memory::Depths;
 use crate::splat::{END, EncodedFrame, SplatCore, SplatRunner};
 use crate::stimuli::motion::motion;
 use crate::uniforms::uniforms;
@@ -115,7 +117,7 @@ fn frame(config: &Config, number: usize) -> EncodedFrame {
     EncodedFrame {
         records: splats.into_iter().chain([END]).collect(),
         uniforms: uniforms(&camera, &rendering(config, number), config),
-        depths: None,
+        depths: config.tests_samples().then(|| Depths::of_places(config, depth_at)),
     }
 }
 

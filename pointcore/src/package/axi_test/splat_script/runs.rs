@@ -130,7 +130,8 @@ impl<'a> Host<'a> {
         let mut depths = Depths::of_places(self.config, depth_at);
         for frame in frames {
             let all = &self.frames[*frame].fragments;
-            let mut fragments = if self.config.merge.is_on() { depths.merge(self.config, all) } else { all.clone() };
+            let mut fragments =
+                if self.config.tests_fragments() { depths.merge(self.config, all) } else { all.clone() };
             // Tiles of several rasterizers come interleaved.
             fragments.sort_by_key(|fragment| (fragment.end, tile(fragment)));
             for fragments in fragments.chunk_by(|one, other| tile(one) == tile(other)) {
