@@ -6,7 +6,7 @@ use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
 use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_hdl::splat::tile_cache::Depths;
-use pointcore_hdl::splat::{accumulator, heap, merge, payloads, reorder, tile_cache};
+use pointcore_hdl::splat::{accumulator, heap, merge, occlusion, payloads, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -104,6 +104,21 @@ fn merges() -> [Proof; 2] {
     [merge("splat_merge"), Proof { flags: vec!["STEADY"], ..merge("splat_merge_steady") }]
 }
 
+/// Two slots for tiles of two rows of two pixels, with neighbors of all kinds and with some that never wait.
+fn occlusions() -> [Proof; 2] {
+    let config = Config {
+        merge: Feature::On,
+        time_bins: 2,
+        screen_filter: Feature::Off,
+        attribute: AttributeFormat::Fixed(Fraction::Eight),
+        tile_slots: 2,
+        ..copies()
+    };
+    let occlusion = |name| Proof::new(name, occlusion::sized(&config, 2), &[]);
+    [occlusion("splat_occlusion"), Proof { flags: vec!["STEADY"], ..occlusion("splat_occlusion_steady") }]
+}
+
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter().chain(tile_caches()).chain(payloads()).chain(reorders()).chain([accumulator()]).chain(merges())
+    let caches = heaps().into_iter().chain(tile_caches()).chain(payloads()).chain(reorders());
+    caches.chain([accumulator()]).chain(merges()).chain(occlusions())
 }
