@@ -204,7 +204,8 @@ fn splat_units() -> Vec<MeasuredUnit> {
             let moving = with(|config| {
                 (config.time_bins, config.kernel_index_bits, config.screen_filter) = (4, 10, splat_spec::Feature::Off)
             });
-            let configurations = [ecp5(), several, ports, in_memory, merging, moving];
+            let hiding = splat_spec::Config { merge: splat_spec::Feature::On, ..moving.clone() };
+            let configurations = [ecp5(), several, ports, in_memory, merging, moving, hiding];
             let described = configurations.into_iter().find(|config| (unit.is_present)(config));
             describe(&described.expect("one of them has it"))
         })
@@ -276,6 +277,14 @@ fn heaps() -> Vec<MeasuredUnit> {
 mod tests {
     use super::*;
     use std::collections::HashSet;
+
+    #[test]
+    fn every_unit_is_in_the_configuration_that_it_is_measured_in() {
+        for unit in [splat_units(), search_units(), process_units(), bus_units()].into_iter().flatten() {
+            let module = unit.module().unwrap_or_else(|error| panic!("{}: {error}", unit.name));
+            assert!(unit.name.starts_with("bus_") || module.unit() == unit.name, "{}: {}", unit.name, module.unit());
+        }
+    }
 
     #[test]
     fn heaps_have_keys_of_16_bits() {
