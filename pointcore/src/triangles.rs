@@ -132,11 +132,7 @@ impl Layer {
     /// The depths that lie in memory of the hardware.
     #[must_use]
     pub fn depths(&self, config: &Config) -> Depths {
-        Depths::new(config, |column, row| {
-            let is_inside = (column as usize) < self.width;
-            let found = self.pixels.get(row as usize * self.width + column as usize).filter(|_| is_inside)?;
-            found.as_ref().map(|fragment| fragment.depth as f32)
-        })
+        Depths::of_fragments(config, self.width, &self.pixels)
     }
 
     /// Takes from a frame of splats what lies behind triangles. How near a surface came to one is a margin of its depth test.

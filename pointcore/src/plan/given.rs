@@ -50,7 +50,8 @@ impl Plan {
     }
 }
 
-fn excluded<T>(
+/// What a scene calls for and a configuration excludes.
+pub(super) fn excluded<T>(
     effect: &'static str,
     reason: String,
     key: &'static str,
@@ -58,6 +59,11 @@ fn excluded<T>(
     remedy: String,
 ) -> Result<T, PlanError> {
     Err(PlanError::Excluded { effect, reason, key, value, remedy })
+}
+
+/// The same where nothing is tested against depths in memory.
+pub(super) fn without_depths<T>(reason: String) -> Result<T, PlanError> {
+    excluded("depths in memory", reason, "merge", "\"off\"".to_owned(), "set `merge = \"on\"`".to_owned())
 }
 
 /// A scene on hardware as it is, if that holds image, kernel and the attributes that differ between splats.
@@ -101,9 +107,7 @@ pub(super) fn held(
         }
     }
     if scene.is_merged() && !config.merge.is_on() {
-        let reason = format!("its {} may hide splats", merged(scene));
-        let remedy = "set `merge = \"on\"`".to_owned();
-        return excluded("depths in memory", reason, "merge", "\"off\"".to_owned(), remedy);
+        return without_depths(format!("its {} may hide splats", merged(scene)));
     }
     let gamma = scene.rendering.kernel_gamma;
     if gamma.to_bits() != config.kernel_gamma.to_bits() {

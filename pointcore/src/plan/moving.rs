@@ -4,7 +4,7 @@
 use super::attributes::differing;
 use super::choices::{fixed, of};
 use super::demand::Demand;
-use super::given::held;
+use super::given::{self, held};
 use super::planner::Planner;
 use super::{Choice, Effect, Plan, PlanError, materials};
 use crate::scene::Scene;
@@ -35,9 +35,10 @@ impl MovingPlan {
     /// # Errors
     /// As [`MovingPlan::of`].
     pub fn with_overrides(scene: &Scene, overrides: &toml::Table) -> Result<Self, PlanError> {
-        let planner = Planner::of_moving(scene, overrides)?;
+        let still = scene.still_part();
+        let planner = Planner::of_moving(scene, still.is_some(), overrides)?;
         let moving = planner.plan(planner.size())?;
-        let still = scene.still_part().map(|still| Plan::with_overrides(&still, overrides)).transpose()?;
+        let still = still.map(|still| Plan::with_overrides(&still, overrides)).transpose()?;
         Ok(Self { moving, still })
     }
 
@@ -48,7 +49,7 @@ impl MovingPlan {
     pub fn on(scene: &Scene, config: &Config) -> Result<Self, PlanError> {
         let (time_bins, _) = time_bins(scene)?;
         let excluded = |effect, reason, value: u32, remedy| {
-            Err(PlanError::Excluded { effect, reason, key: "time_bins", value: value.to_string(), remedy })
+            given::excluded(effect, reason, "time_bins", value.to_string(), remedy)
         };
         if !config.has_motion() {
             let reason = "it moves while the shutter is open".to_owned();
@@ -68,13 +69,7 @@ impl MovingPlan {
         let plan = held(scene, config, constants, materials(each()))?;
         let still = scene.still_part();
         if still.is_some() && !config.merge.is_on() {
-            return Err(PlanError::Excluded {
-                effect: "depths in memory",
-                reason: "what stands still in it may hide what moves".to_owned(),
-                key: "merge",
-                value: "\"off\"".to_owned(),
-                remedy: "set `merge = \"on\"`".to_owned(),
-            });
+            return given::without_depths("what stands still in it may hide what moves".to_owned());
         }
         let everything = Config { eye_plane: Feature::On, ..config.clone() };
         let demand = Demand::of_moving(scene, &splats, &everything);

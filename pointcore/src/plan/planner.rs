@@ -78,14 +78,18 @@ impl<'a> Planner<'a> {
         Ok(Self { scene, overrides, asked, config, demand, attributes, constants, materials, motion })
     }
 
-    /// Looks at what moves of a scene.
+    /// Looks at what moves of a scene, which something that stands still may hide.
     ///
     /// # Errors
     /// As [`MovingPlan::of`](super::MovingPlan::of), of what does not depend on the size.
-    pub(super) fn of_moving(scene: &'a Scene, overrides: &'a toml::Table) -> Result<Self, PlanError> {
+    pub(super) fn of_moving(
+        scene: &'a Scene,
+        may_be_hidden: bool,
+        overrides: &'a toml::Table,
+    ) -> Result<Self, PlanError> {
         let (time_bins, reason) = moving::time_bins(scene)?;
         let splats = &scene.moving_part(time_bins as usize);
-        let config = of_scene(scene, time_bins);
+        let config = Config { merge: feature(may_be_hidden), ..of_scene(scene, time_bins) };
         let asked = overridden(&config, overrides)?;
         asked.validate()?;
         let everything = Config { eye_plane: Feature::On, ..asked.clone() };
@@ -191,6 +195,5 @@ fn of_scene(scene: &Scene, time_bins: u32) -> Config {
         return still;
     }
     // Shares of the exposure are differences of the kernel's integral: its table has to be fine.
-    let merge = feature(scene.still_part().is_some());
-    Config { time_bins, merge, screen_filter: Feature::Off, culling: Feature::On, kernel_index_bits: 10, ..still }
+    Config { time_bins, screen_filter: Feature::Off, culling: Feature::On, kernel_index_bits: 10, ..still }
 }

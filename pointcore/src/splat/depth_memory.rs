@@ -4,7 +4,7 @@ use crate::memory::{MemorySettings, ReadWriteMemory, Traffic};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{MERGED_DEPTH_BITS, TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::{Depth, DepthRun, Fragment, StoredDepth, depth_place};
-use pointcore_golden::reference::Frame;
+use pointcore_golden::reference;
 
 /// Bytes that a depth takes in memory.
 pub const DEPTH_BYTES: u32 = MERGED_DEPTH_BITS / u8::BITS;
@@ -28,13 +28,12 @@ impl Depths {
         Self(depths)
     }
 
-    /// Those of what is seen in a frame, sample by sample.
+    /// Those of fragments, a row of so many samples after the other.
     #[must_use]
-    pub fn of_frame(config: &Config, frame: &Frame) -> Self {
+    pub fn of_fragments(config: &Config, width: usize, fragments: &[Option<reference::Fragment>]) -> Self {
         Self::new(config, |column, row| {
-            let (column, row) = (column as usize, row as usize);
-            let is_inside = column < frame.width && row < frame.height;
-            let found = frame.pixels.get(row * frame.width + column).filter(|_| is_inside)?;
+            let is_inside = (column as usize) < width;
+            let found = fragments.get(row as usize * width + column as usize).filter(|_| is_inside)?;
             found.as_ref().map(|fragment| fragment.depth as f32)
         })
     }

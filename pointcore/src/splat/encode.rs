@@ -26,7 +26,7 @@ pub struct EncodedFrame {
     pub records: Vec<records::Splat>,
     /// The uniform registers.
     pub uniforms: Uniforms,
-    /// What lies in memory that fragments are tested against; nothing, unless it is said.
+    /// What lies in memory that fragments are tested against, or samples of what moves; nothing, unless it is said.
     pub depths: Option<Depths>,
 }
 

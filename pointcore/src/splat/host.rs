@@ -31,7 +31,7 @@ pub struct EventCounts {
     pub hazard: u64,
     /// The accumulator waited for its tile to arrive in the cache.
     pub slot_wait: u64,
-    /// Fragments that something nearer in memory hid.
+    /// Fragments that something nearer in memory hid, or samples of what moves.
     pub hidden: u64,
 }
 
@@ -60,7 +60,7 @@ pub struct SplatCounters {
     pub buffer: Traffic,
     /// Words that passed between core and the memory of payloads.
     pub payloads: Traffic,
-    /// Depths that passed between core and the memory that fragments are tested against.
+    /// Depths that passed between core and the memory that fragments are tested against, or samples of what moves.
     pub depths: Traffic,
 }
 

@@ -123,7 +123,9 @@ impl MovingSession {
     pub fn frame_with(&mut self, progress: Progress, waveform: Option<&Waveform>) -> Result<ExposedFrame, RenderError> {
         let still = self.still.as_mut().map(|still| still.frame(0)).transpose()?;
         let (scene, plan) = (&self.scene, &self.plan);
-        let depths = still.as_ref().map(|still| Depths::of_frame(&plan.config, &still.samples));
+        let depths =
+            |still: &RenderedFrame| Depths::of_fragments(&plan.config, still.samples.width, &still.samples.pixels);
+        let depths = still.as_ref().map(depths);
         let frame = EncodedFrame { depths, ..EncodedFrame::new(scene, plan) };
         let outcome = self.machine.run(&frame, progress, waveform)?;
         let exposure = expose(scene, plan, &outcome.fragments, still.as_ref().map(|still| &still.samples));
