@@ -117,7 +117,7 @@ pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
         records.push(memory("payload_word", doc, fields::<PayloadWord>(config), bus.memory_bits));
     }
     if config.merge.is_on() {
-        let doc = "A depth that fragments are tested against.";
+        let doc = "A depth that fragments are tested against, or samples of what moves.";
         records.push(memory("depth", doc, fields::<Depth>(config), MERGED_DEPTH_BITS));
     }
     records

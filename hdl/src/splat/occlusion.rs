@@ -14,7 +14,9 @@ use rtl::{Expr, Module, address_width, bit, cat, lit};
 const FRACTION_BITS: u32 = 23;
 const EXPONENT_OF_ONE: u128 = 127;
 
-/// An `f32` below one, truncated to [`DEPTH_BITS`] digits; the largest integer of any other.
+/// An `f32` below one, truncated to [`DEPTH_BITS`] digits; the largest integer of any other, as bits that are compared as integers have it.
+///
+/// The operator `float_to_fixed` has what is no number as zero, which would hide everything.
 fn fixed(m: &mut Module, depth: Expr) -> Expr {
     let exponent = depth.bits(30, FRACTION_BITS);
     let significand = cat([bit(true), depth.trunc(FRACTION_BITS)]);

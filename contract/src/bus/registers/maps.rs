@@ -189,7 +189,7 @@ pub struct SplatSettings {
     #[when(config.has_payloads_in_memory())]
     #[bits(REGISTER_BITS)]
     pub payload_base: u32,
-    /// Address of the depths that fragments are tested against.
+    /// Address of the depths that fragments are tested against, or samples of what moves.
     #[when(config.merge.is_on())]
     #[bits(REGISTER_BITS)]
     pub depth_base: u32,

@@ -8,7 +8,7 @@ use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::SplatCopy;
 use pointcore_contract::splat::units::top::In;
-use pointcore_contract::splat::units::{Events, collector};
+use pointcore_contract::splat::units::{Events, LaneEvents, collector};
 
 /// What lanes and the units between them show in a cycle.
 #[derive(Clone, Debug)]
@@ -103,14 +103,14 @@ impl Shown {
     pub fn events(&self) -> Events {
         let mut counts = Events::default();
         for lane in &self.lanes {
-            let (rasterizer, accumulator) = (lane.rasterizer.events, lane.accumulator.events);
+            let LaneEvents { rasterizer, accumulator, hidden } = lane.events();
             counts.sample += u8::from(rasterizer.sample);
             counts.starved += u8::from(rasterizer.starved);
             counts.blocked += u8::from(rasterizer.blocked);
             counts.accumulate += u8::from(accumulator.accumulate);
             counts.hazard += u8::from(accumulator.hazard);
             counts.slot_wait += u8::from(accumulator.slot_wait);
-            counts.hidden += u8::from(lane.events().hidden);
+            counts.hidden += u8::from(hidden);
         }
         counts
     }

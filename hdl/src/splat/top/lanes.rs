@@ -122,7 +122,7 @@ impl Lanes {
         }
     }
 
-    /// In how many of them something happened in the last cycle; what else the core tells is left open.
+    /// In how many of them something happened in the last cycle. How many fragments something hid is left open.
     pub fn events(&self, m: &mut Module, config: &Config) -> Events<Wires> {
         let width = config.rasterizer_bits() + 1;
         let events: Vec<_> = self.lanes.iter().map(|&lane| lane::PORTS.events.of(m, config, lane)).collect();
@@ -139,7 +139,11 @@ impl Lanes {
             accumulate: accumulators(|events| events.accumulate),
             hazard: accumulators(|events| events.hazard),
             slot_wait: accumulators(|events| events.slot_wait),
-            hidden: Expr::default(),
+            hidden: if config.tests_samples() {
+                sum(width, events.iter().map(|events| events.hidden))
+            } else {
+                Expr::default()
+            },
         }
     }
 }

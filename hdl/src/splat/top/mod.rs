@@ -215,8 +215,8 @@ fn depths(m: &mut Module, config: &Config, merges: &[Instance]) -> Expr {
     sum(config.merge_count_bits(), hidden.into_iter())
 }
 
-/// Connects the lanes to depths in memory, each by a port of its own; returns how many samples these hid in the last cycle.
-fn depths_of_samples(m: &mut Module, config: &Config, lanes: &Lanes) -> Expr {
+/// Connects the lanes to depths in memory, each by a port of its own.
+fn depths_of_samples(m: &mut Module, config: &Config, lanes: &Lanes) {
     for (port, lane) in PORTS.depth_read.iter().zip(lanes.each()) {
         let read = lane::PORTS.depth_read.of(m, config, lane);
         port.export(m, config, read);
@@ -225,8 +225,6 @@ fn depths_of_samples(m: &mut Module, config: &Config, lanes: &Lanes) -> Expr {
         let data = port.declare(m, config);
         lane::PORTS.depth_data.feed(m, config, lane, data);
     }
-    let hidden: Vec<_> = lanes.each().map(|lane| lane::PORTS.events.of(m, config, lane).hidden).collect();
-    sum(config.merge_count_bits(), hidden.into_iter())
 }
 
 /// Tells the lanes once the end of a frame has left all ports, of which each says so in one cycle.
@@ -266,7 +264,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     if config.tests_fragments() {
         events.hidden = depths(&mut m, config, &instances.merges);
     } else if config.tests_samples() {
-        events.hidden = depths_of_samples(&mut m, config, &instances.lanes);
+        depths_of_samples(&mut m, config, &instances.lanes);
     }
     PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })
