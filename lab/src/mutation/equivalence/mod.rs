@@ -20,13 +20,17 @@ use super::side_by_side::Border;
 use crate::synthesis::Tool;
 use std::collections::BTreeSet;
 use std::fmt;
-use way::{Around, Operators, Way};
+use way::{Around, NEAR, NEAR_WITH_COMPARISONS, Operators, Way};
 
 /// Bits of a memory that is taken for registers.
 const LARGEST_MEMORY_BITS: u32 = 2048;
 
 /// What the names of floating-point operators begin with.
 const OPERATORS: &str = "float_";
+
+/// And those that a prover sees through: they shift or compare, and make the same of all that is too small or too large.
+const COMPARISONS: [&str; 7] =
+    ["float_to_fixed_", "float_convert_", "float_lt_", "float_le_", "float_eq_", "float_min_", "float_max_"];
 
 /// With more text than this, but for operators', a module is a whole core: the prover comes to no end with it.
 const LARGEST_BYTES: usize = 120_000;
@@ -142,6 +146,9 @@ impl Prover<'_> {
                     return Ok(Proof::Equivalent);
                 }
             }
+            if proof != Proof::Equivalent && self.is_hidden_by_comparisons(module, &open)? {
+                return Ok(Proof::Equivalent);
+            }
         }
         if proof != Proof::Equivalent && open != whole && !is_large(&within) {
             proof = self.compare(module, &whole)?;
@@ -219,6 +226,28 @@ impl Prover<'_> {
     /// Whether no register near the fault shows a difference where it is looked at: whatever operators do, or as what they are
     /// given says. A register that inverts a bit may also begin with it the other way.
     fn is_hidden_near(&self, module: &str, open: &BTreeSet<&str>, operators: Operators) -> Result<bool, MutationError> {
+        self.is_hidden_within(module, open, operators, NEAR)
+    }
+
+    /// The same with conversions and comparisons as they are, if any were to stay out.
+    fn is_hidden_by_comparisons(&self, module: &str, open: &BTreeSet<&str>) -> Result<bool, MutationError> {
+        let compares = |inner: &&str| COMPARISONS.iter().any(|prefix| inner.starts_with(prefix));
+        let without: BTreeSet<&str> = open.iter().copied().filter(|inner| !compares(inner)).collect();
+        for operators in [Operators::Strict, Operators::Tolerant] {
+            if without != *open && self.is_hidden_within(module, &without, operators, NEAR_WITH_COMPARISONS)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn is_hidden_within(
+        &self,
+        module: &str,
+        open: &BTreeSet<&str>,
+        operators: Operators,
+        near: usize,
+    ) -> Result<bool, MutationError> {
         let Some(cell) = self.cell else { return Ok(false) };
         // An instance's other ports lead elsewhere.
         let cell = cell.starts_with(INTERNAL).then(|| self.name_in(plain(module), cell));
@@ -227,7 +256,7 @@ impl Prover<'_> {
             return Ok(false);
         }
         for begins_set in [false, true] {
-            let around = Way::Around(Around { cell: cell.as_deref(), operators, begins_set });
+            let around = Way::Around(Around { cell: cell.as_deref(), operators, near, begins_set });
             let is_tried = !begins_set || cell.as_ref().is_some_and(|cell| cell.contains(REGISTER));
             if is_tried && self.compare_as(module, open, around)? == Proof::Equivalent {
                 return Ok(true);

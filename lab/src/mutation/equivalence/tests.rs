@@ -199,7 +199,7 @@ fn proof_near(yosys: &Tool, text: &str, mutated: &str, words: &[&str]) -> Proof 
     let mutation = &listed(yosys, subject, mutated, words);
     let prover = prover(yosys, subject, mutated, mutation);
     let cell = &prover.name_in("top", prover.cell.expect("it has a cell"));
-    let around = Around { cell: Some(cell), operators: Operators::Strict, begins_set: false };
+    let around = Around { cell: Some(cell), operators: Operators::Strict, near: NEAR, begins_set: false };
     let [near, in_turns] = [Way::Around(around), Way::InTurns(None)]
         .map(|way| prover.compare_as("top", &BTreeSet::new(), way).unwrap_or_else(|error| panic!("{error}")));
     assert_eq!(near, in_turns, "{mutation}");
@@ -273,6 +273,30 @@ fn what_an_operator_is_given_out_of_turn_may_be_inverted() {
         [(0, 3), (0, 0), (1, 2), (1, 1)].map(|(loaded, taken)| is_hidden(loaded, taken)),
         [true, false, true, false]
     );
+}
+
+#[test]
+fn what_a_comparison_makes_the_same_of_does_not_count() {
+    let Some(yosys) = yosys() else { return };
+    let text = "module float_le_s1_f4(input clk, input enable, input [3:0] a, output reg y);\n\
+        always @(posedge clk) if (enable) y <= a >= 4'd8;\nendmodule\n\
+        module top (input clk, input rst, input [3:0] x, output reg z);\nreg [3:0] kept;\nwire y;\n\
+        float_le_s1_f4 comparison (\n.clk(clk), .enable(1'd1), .a(kept), .y(y));\n\
+        always @(posedge clk) begin kept <= x; z <= y; end\nendmodule\n";
+    let interfaces = vec![
+        interface("float_le_s1_f4", &[("clk", 1, In), ("enable", 1, In), ("a", 4, In), ("y", 1, Out)], Vec::new()),
+        interface("top", &[("clk", 1, In), ("rst", 1, In), ("x", 4, In), ("z", 1, Out)], Vec::new()),
+    ];
+    let subject = &Subject { interfaces, ..subject(text, "", None, "top") };
+    let open = &BTreeSet::from(["float_le_s1_f4"]);
+    let hidden = ["-wirebit 2 ", "-wirebit 3 "].map(|bit| {
+        let mutation = &listed(&yosys, subject, "top", &[inverts("-wire kept ").as_slice(), &[bit]].concat());
+        let prover = prover(&yosys, subject, "top", mutation);
+        let near = prover.is_hidden_near("top", open, Operators::Tolerant);
+        let compared = prover.is_hidden_by_comparisons("top", open);
+        [near, compared].map(|hidden| hidden.unwrap_or_else(|error| panic!("{error}")))
+    });
+    assert_eq!(hidden, [[false, true], [false, false]]);
 }
 
 #[test]

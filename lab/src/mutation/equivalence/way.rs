@@ -39,6 +39,8 @@ pub(super) struct Around<'a> {
     /// The mutated cell, if it is no instance.
     pub cell: Option<&'a str>,
     pub operators: Operators,
+    /// So many registers behind it are near it.
+    pub near: usize,
     /// The bit that is mutated in a register's output begins the other way.
     pub begins_set: bool,
 }
@@ -63,7 +65,9 @@ impl Operators {
 }
 
 /// So many registers behind a mutated cell are near it: what looks at a register in every cycle may itself not be looked at.
-const NEAR: usize = 3;
+pub(super) const NEAR: usize = 3;
+/// As many where conversions and comparisons stay in, with the registers in one of them.
+pub(super) const NEAR_WITH_COMPARISONS: usize = 7;
 
 /// What yosys calls the bit of a port that it mutates, before it is mutated.
 const MUTATED_BIT: &str = "gate/w:*$auto$mutate.cc:*";
@@ -109,7 +113,7 @@ impl Way<'_> {
 impl Around<'_> {
     /// Marks what is near. Where nothing looks at the fault, that may be nothing.
     fn mark(self) -> String {
-        let Self { cell, begins_set, .. } = self;
+        let Self { cell, near, begins_set, .. } = self;
         let cell = cell.map(|cell| format!("gate/c:{cell}"));
         let mut seeds = format!("gate/{FAULT}");
         let mut bit = String::new();
@@ -119,6 +123,6 @@ impl Around<'_> {
             }
             seeds += &format!(" {cell} %u");
         }
-        format!("{bit}setattr -set near 1 {seeds}{}\n", NEXT.repeat(NEAR))
+        format!("{bit}setattr -set near 1 {seeds}{}\n", NEXT.repeat(near))
     }
 }
