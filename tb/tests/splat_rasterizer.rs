@@ -1,6 +1,6 @@
 //! `splat_rasterizer` against its model, in every cycle.
 
-use pointcore_contract::splat::records::Sample;
+use pointcore_contract::splat::records::{CompleteCopy, Sample};
 use pointcore_contract::splat::units;
 use pointcore_golden::splat::{MotionRasterizer, Rasterizer};
 use pointcore_hdl::compiler::Options;
@@ -20,12 +20,21 @@ fn it_agrees_with_the_model() {
         let copies = scene::touch(&config, &scene::copies(&config, SPLATS), 3, &mut random);
         let mut copies = scene::complete_copies(&config, copies, &mut random);
         scene::scatter(&config, &mut copies, 4, &mut random);
-        let (latency, uniforms) = (hardware.manifest.latency, scene::uniforms(&config));
-        let samples: Vec<Sample> = if config.has_motion() {
-            device.run(&MotionRasterizer::new(&config, latency), &copies, &uniforms)
-        } else {
-            device.run(&Rasterizer::new(&config, latency), &copies, &uniforms)
+        let latency = hardware.manifest.latency;
+        let run = |copies: &[CompleteCopy], uniforms| -> Vec<Sample> {
+            let uniforms = scene::named(&config, uniforms);
+            if config.has_motion() {
+                device.run(&MotionRasterizer::new(&config, latency), copies, &uniforms)
+            } else {
+                device.run(&Rasterizer::new(&config, latency), copies, &uniforms)
+            }
         };
+        let (upright, turned) = copies.split_at(copies.len() / 2);
+        let mut uniforms = scene::turned(&config, &mut random);
+        let depth_a = 2.0 + 60.0 * random.f32();
+        uniforms.viewport.depth_a = pointcore::number::encode(config.geometry, depth_a);
+        let turned = run(turned, uniforms);
+        let samples = [run(upright, scene::registers(&config)), turned].concat();
         let places = || samples.iter().map(|sample| sample.place);
         let inside = places().filter(|place| place.inside).count();
         assert!(inside > 2 * SPLATS, "{inside} samples lie inside {SPLATS} splats");

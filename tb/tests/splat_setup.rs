@@ -6,10 +6,11 @@ use pointcore_golden::splat::Setup;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::setup;
 
-use crate::splat::{Device, configs, integer_configs, knobs, scene};
+use crate::splat::{Device, configs, hard, integer_configs, knobs, scene};
 use crate::support::cases;
 
-const SPLATS: usize = 2500;
+const SPLATS: usize = 4000;
+const CAMERAS: usize = 6;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
@@ -18,12 +19,16 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let device = Device::new(&config, &hardware.module, &units::setup::UNIT);
         let mut splats = scene::camera(&config, SPLATS);
         let mut random = scene::random();
-        scene::spoil(&config, &mut splats, 16, &mut random);
-        scene::flatten(&mut splats, 16, &mut random);
-        scene::scale(&config, &mut splats, 4, &mut random);
+        hard::spoil(&config, &mut splats, 16, &mut random);
+        hard::cross_the_eye(&config, &mut splats, 4, &mut random);
+        hard::border(&config, &mut splats, 3, &mut random);
+        hard::strew(&config, &mut splats, 8, &mut random);
+        hard::flatten(&mut splats, 16, &mut random);
+        hard::scale(&config, &mut splats, 4, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);
-        let mut turned = || scene::turned(&config, &mut random);
-        for uniforms in [scene::registers(&config), turned(), turned()] {
+        for camera in 0..CAMERAS {
+            let upright = scene::registers(&config);
+            let uniforms = if camera == 0 { upright } else { scene::turned(&config, &mut random) };
             let passed: Vec<SetupSplat> = device.run(&model, &splats, &scene::named(&config, uniforms));
             let passed = passed.len();
             assert!((SPLATS / 10..splats.len()).contains(&passed), "{passed} of {} splats are in view", splats.len());

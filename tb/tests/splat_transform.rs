@@ -6,7 +6,7 @@ use pointcore_golden::splat::Transform;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::transform;
 
-use crate::splat::{Device, configs, fixed_configs, moving_configs, scene};
+use crate::splat::{Device, configs, fixed_configs, hard, moving_configs, scene};
 use crate::support::cases;
 
 const SPLATS: usize = 4000;
@@ -18,8 +18,8 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let device = Device::new(&config, &hardware.module, &units::transform::UNIT);
         let mut splats = scene::world(&config, SPLATS);
         let mut random = scene::random();
-        scene::approach(&config, &mut splats, 4, &mut random);
-        scene::spoil(&config, &mut splats, 16, &mut random);
+        hard::approach(&config, &mut splats, 4, &mut random);
+        hard::spoil(&config, &mut splats, 16, &mut random);
         let model = Transform::new(&config, hardware.manifest.latency);
         let passed: Vec<Splat> = device.run(&model, &splats, &scene::uniforms(&config));
         let passed = passed.len();

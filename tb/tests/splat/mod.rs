@@ -2,6 +2,7 @@
 
 pub mod collected;
 pub mod exchange;
+pub mod hard;
 pub mod scene;
 
 use std::sync::Arc;

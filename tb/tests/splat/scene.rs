@@ -26,9 +26,6 @@ const FRAME: usize = 120;
 const SURFACE: u32 = 0x9e_3779;
 /// How far depths that nearly meet are apart, in their last place.
 const NEAR_BY: u32 = 5;
-/// Numbers that are none, or hardly.
-const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
-
 /// Randomness of the stimulus: the same whatever the stalls, unless the environment has another seed.
 pub fn random() -> Rng {
     Rng::with_seed(seed().expect("POINTCORE_SEED is a number"))
@@ -74,7 +71,7 @@ pub fn named(config: &Config, uniforms: Uniforms) -> Vec<(String, u64)> {
     names.zip(words(config, uniforms)).collect()
 }
 
-/// The uniform registers with the image turned upside down, and another far plane.
+/// The uniform registers with the image turned upside down, another far plane and another filter.
 pub fn turned(config: &Config, random: &mut Rng) -> Uniforms {
     let registers = registers(config);
     let number = |number| pointcore::number::encode(config.geometry, number);
@@ -85,7 +82,8 @@ pub fn turned(config: &Config, random: &mut Rng) -> Uniforms {
         depth_b: number(-far / (far - 1.0)),
         ..registers.viewport
     };
-    Uniforms { viewport, ..registers }
+    let filter_scale = pointcore::number::encode_uniform(config.filter_scale_format(), 0.5 + random.f32());
+    Uniforms { viewport, filter_scale, ..registers }
 }
 
 /// Those of any camera, with its near plane there.
@@ -131,71 +129,6 @@ fn splat(config: &Config, random: &mut Rng) -> Splat {
     cardinals[..config.cardinal as usize].fill_with(|| random.u32(..) >> (32 - config.attribute.width()));
     let tangents = tangents.map(|tangent| vector(tangent.to_array()));
     Splat { center: vector(center), tangents, attributes, motion: motion(config, random), ..Splat::default() }
-}
-
-/// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
-pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    for Splat { center, tangents, attributes, .. } in splats {
-        if random.u32(0..one_in) == 0 {
-            let [first, second] = tangents;
-            let number = &mut [center, first, second][random.usize(0..3)][random.usize(0..3)];
-            *number = pointcore::number::encode(config.geometry, ODD[random.usize(0..ODD.len())]);
-        }
-        if random.u32(0..one_in) == 0 && config.continuous > 0 {
-            let odd = ODD[random.usize(0..ODD.len())];
-            attributes[random.usize(0..config.continuous as usize)] = encode_attribute(config.attribute, odd);
-        }
-    }
-}
-
-/// Moves one splat in `one_in` to where it, or its center, just reaches beyond the near plane, or does not by a hair.
-pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    let Uniforms { model_view, near_plane, .. } = registers(config);
-    let number = |bits: u32| f64::from(pointcore::number::decode(config.geometry, bits));
-    let [.., [x, y, z, w]] = model_view.rows.map(|row| row.map(number));
-    let axis = glam::DVec3::new(x, y, z);
-    for Splat { center, tangents, end, .. } in splats {
-        if *end || random.u32(0..one_in) != 0 {
-            continue;
-        }
-        let [first, second] = tangents.map(|tangent| axis.dot(tangent.map(number).into()).abs());
-        let reach = if random.bool() { 2.0 * first.max(second) } else { 0.0 };
-        let hair = (random.f64() - 0.5) * 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32));
-        let at = glam::DVec3::from(center.map(number));
-        let beyond = number(near_plane) - reach + hair - (axis.dot(at) + w);
-        let moved = at + axis * (beyond / axis.length_squared());
-        *center = moved.to_array().map(|number| pointcore::number::encode(config.geometry, number as f32));
-    }
-}
-
-/// Gives one splat in `one_in`, or its tangents or one of their numbers alone, another magnitude: any that the format has, most of them
-/// nearly the least or the largest.
-pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    for Splat { center, tangents: [first, second], .. } in splats {
-        if random.u32(0..one_in) == 0 {
-            let (least, most) = [(-126, -90), (90, 127), (-126, 127)][random.usize(0..3)];
-            let factor = 2_f64.powi(random.i32(least..=most));
-            let scale = |number: &mut u32| {
-                let scaled = f64::from(decode(config.geometry, *number)) * factor;
-                *number = pointcore::number::encode(config.geometry, scaled as f32);
-            };
-            match random.u8(0..4) {
-                0 => [first, second, center].into_iter().flatten().for_each(scale),
-                1 => [first, second].into_iter().flatten().for_each(scale),
-                _ => scale(&mut [first, second][random.usize(0..2)][random.usize(0..3)]),
-            }
-        }
-    }
-}
-
-/// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
-pub fn flatten(splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    for Splat { tangents: [first, second], .. } in splats {
-        if random.u32(0..one_in) == 0 {
-            let noise = (1 << random.u32(0..12)) - 1;
-            *second = first.map(|component| component ^ (random.u32(..) & noise));
-        }
-    }
 }
 
 /// Splats in world space, cut into frames; the last record is an end.

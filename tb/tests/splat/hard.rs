@@ -1,0 +1,159 @@
+//! What makes splats hard: odd numbers, any magnitude, places where something is decided by a hair.
+
+use fastrand::Rng;
+use pointcore::number::{decode, encode, encode_attribute};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Splat, Uniforms, Viewport};
+
+use super::scene::registers;
+
+/// Numbers that are none, or hardly.
+const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
+
+/// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
+pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { center, tangents, attributes, .. } in splats {
+        if random.u32(0..one_in) == 0 {
+            let [first, second] = tangents;
+            let number = &mut [center, first, second][random.usize(0..3)][random.usize(0..3)];
+            *number = encode(config.geometry, ODD[random.usize(0..ODD.len())]);
+        }
+        if random.u32(0..one_in) == 0 && config.continuous > 0 {
+            let odd = ODD[random.usize(0..ODD.len())];
+            attributes[random.usize(0..config.continuous as usize)] = encode_attribute(config.attribute, odd);
+        }
+    }
+}
+
+/// Moves one splat in `one_in` to where it, or its center, just reaches beyond the near plane, or does not by a hair.
+pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let Uniforms { model_view, near_plane, .. } = registers(config);
+    let number = |bits: u32| f64::from(decode(config.geometry, bits));
+    let [.., [x, y, z, w]] = model_view.rows.map(|row| row.map(number));
+    let axis = glam::DVec3::new(x, y, z);
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let [first, second] = tangents.map(|tangent| axis.dot(tangent.map(number).into()).abs());
+        let reach = if random.bool() { 2.0 * first.max(second) } else { 0.0 };
+        let hair = (random.f64() - 0.5) * 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32));
+        let at = glam::DVec3::from(center.map(number));
+        let beyond = number(near_plane) - reach + hair - (axis.dot(at) + w);
+        let moved = at + axis * (beyond / axis.length_squared());
+        *center = moved.to_array().map(|number| encode(config.geometry, number as f32));
+    }
+}
+
+/// Gives one splat in `one_in`, or its tangents or one of their numbers alone, another magnitude: any that the format has, most of them
+/// nearly the least or the largest. Or each number of its tangents another one, not far from the first.
+pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { center, tangents: [first, second], .. } in splats {
+        if random.u32(0..one_in) == 0 {
+            let (least, most) = [(-126, -90), (90, 127), (-126, 127)][random.usize(0..3)];
+            let factor = 2_f64.powi(random.i32(least..=most));
+            let scale = |number: &mut u32| {
+                let scaled = f64::from(decode(config.geometry, *number)) * factor;
+                *number = encode(config.geometry, scaled as f32);
+            };
+            match random.u8(0..5) {
+                0 => [first, second, center].into_iter().flatten().for_each(scale),
+                1 => [first, second].into_iter().flatten().for_each(scale),
+                2 => {
+                    for number in [first, second].into_iter().flatten() {
+                        let scaled = decode(config.geometry, *number) * 2_f32.powi(-random.i32(0..40));
+                        *number = encode(config.geometry, scaled);
+                    }
+                }
+                _ => scale(&mut [first, second][random.usize(0..2)][random.usize(0..3)]),
+            }
+        }
+    }
+}
+
+/// Has one splat in camera space in `one_in` lie across the eye plane, its box's edges before the eye where the image is.
+pub fn cross_the_eye(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let encoded = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let mut centered = |size: f32| size * (2.0 * random.f32() - 1.0);
+        let reaching = [(); 2].map(|()| [centered(0.5), centered(0.5), centered(4.0)]);
+        let reach: [f32; 3] = std::array::from_fn(|axis| 2.0 * reaching[0][axis].abs().max(reaching[1][axis].abs()));
+        let deep = centered(0.25 * reach[2]);
+        let mut aside = |axis: usize| {
+            let edge = centered(0.7 * (deep + reach[2]));
+            edge + reach[axis].copysign(edge)
+        };
+        *center = encoded([aside(0), aside(1), deep]);
+        *tangents = reaching.map(encoded);
+    }
+}
+
+/// Has one splat in camera space in `one_in` be a speck of any size at the middle of a pixel, which it covers however small it is.
+pub fn strew(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let Viewport { scale, origin, .. } = registers(config).viewport;
+    let number = |bits| decode(config.geometry, bits);
+    let size = [config.width, config.height];
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let depth = 2_f32.powi(random.i32(1..4));
+        let place: [f32; 2] = std::array::from_fn(|axis| {
+            let middle = random.u32(0..size[axis]) as f32 + 0.5;
+            depth * (middle - number(origin[axis])) / number(scale[axis])
+        });
+        *center = [place[0], place[1], depth].map(|part| encode(config.geometry, part));
+        let size = 2_f32.powi(-random.i32(5..126).max(random.i32(5..126)));
+        *tangents =
+            tangents.map(|tangent| tangent.map(|part| encode(config.geometry, number(part).clamp(-1.0, 1.0) * size)));
+    }
+}
+
+/// Moves one splat in camera space in `one_in` to where one of its bounds in the image is rounded to another pixel.
+pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    /// Where bounds are rounded, of pixels with a sample in the middle or four on their edges.
+    const ROUNDED: [f64; 4] = [126.0, 130.0, 162.0, 254.0];
+    let viewport = registers(config).viewport;
+    let number = |bits| f64::from(decode(config.geometry, bits));
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let size = [config.width, config.height];
+        let axis = random.usize(0..size.len());
+        let limit = f64::from(random.u32(0..size[axis])) + ROUNDED[random.usize(0..ROUNDED.len())] / 256.0;
+        let side = if random.bool() { 1.0 } else { -1.0 };
+        let (scale, depth) = (number(viewport.scale[axis]), number(center[2]));
+        let slopes = tangents.map(|tangent| number(tangent[2]) / depth);
+        let before_eye = 1.0 - slopes.iter().map(|slope| slope * slope).sum::<f64>();
+        if depth <= 0.0 || before_eye < 0.1 {
+            continue;
+        }
+        let mut place = number(center[axis]);
+        // The tangents' projections hardly change with it.
+        for _ in 0..8 {
+            let lengths: [f64; 2] = std::array::from_fn(|tangent| {
+                scale * (number(tangents[tangent][axis]) - place * slopes[tangent]) / depth
+            });
+            let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+            let middle = dot(lengths, slopes) / before_eye;
+            let half = (middle * middle + dot(lengths, lengths) / before_eye).sqrt();
+            let bound = scale * place / depth + number(viewport.origin[axis]) - middle + side * half;
+            place += (limit - bound) * depth / scale;
+        }
+        center[axis] = encode(config.geometry, place as f32);
+    }
+}
+
+/// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
+pub fn flatten(splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { tangents: [first, second], .. } in splats {
+        if random.u32(0..one_in) == 0 {
+            let noise = (1 << random.u32(0..12)) - 1;
+            *second = first.map(|component| component ^ (random.u32(..) & noise));
+        }
+    }
+}
