@@ -7,10 +7,10 @@ use pointcore_golden::splat::MotionSetup;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::motion_setup;
 
-use crate::splat::{Device, moving_configs, scene};
+use crate::splat::{Device, hard, moving_configs, scene};
 use crate::support::cases;
 
-const SPLATS: usize = 600;
+const SPLATS: usize = 5000;
 
 /// Moving splats of every family, frames' ends, and some whose fields are noise: numbers of every size, infinities, no numbers.
 fn splats(config: &Config) -> Vec<Splat> {
@@ -36,6 +36,7 @@ fn splats(config: &Config) -> Vec<Splat> {
             _ => splat.motion.way[random.usize(0..3)] = noise.motion.way[0],
         }
     }
+    hard::scale(config, &mut splats, 8, &mut random);
     splats
 }
 
