@@ -12,7 +12,8 @@ use crate::support::cases;
 
 const SPLATS: usize = 5000;
 
-/// Moving splats of every family, frames' ends, and some whose fields are noise: numbers of every size, infinities, no numbers.
+/// Moving splats of every family, frames' ends, some whose fields are noise: numbers of every size, infinities, no numbers. And some of
+/// another magnitude.
 fn splats(config: &Config) -> Vec<Splat> {
     let mut random = scene::random();
     let families = motion::Family::ALL.into_iter().cycle();

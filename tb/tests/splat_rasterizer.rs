@@ -31,6 +31,7 @@ fn it_agrees_with_the_model() {
         };
         let (upright, turned) = copies.split_at(copies.len() / 2);
         let mut uniforms = scene::turned(&config, &mut random);
+        // With another exponent than the upright camera's.
         let depth_a = 2.0 + 60.0 * random.f32();
         uniforms.viewport.depth_a = pointcore::number::encode(config.geometry, depth_a);
         let turned = run(turned, uniforms);

@@ -52,18 +52,17 @@ pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rn
         if random.u32(0..one_in) == 0 {
             let (least, most) = [(-126, -90), (90, 127), (-126, 127)][random.usize(0..3)];
             let factor = 2_f64.powi(random.i32(least..=most));
-            let scale = |number: &mut u32| {
+            let by = |factor: f64, number: &mut u32| {
                 let scaled = f64::from(decode(config.geometry, *number)) * factor;
                 *number = encode(config.geometry, scaled as f32);
             };
+            let scale = |number: &mut u32| by(factor, number);
             match random.u8(0..5) {
                 0 => [first, second, center].into_iter().flatten().for_each(scale),
                 1 => [first, second].into_iter().flatten().for_each(scale),
                 2 => {
-                    for number in [first, second].into_iter().flatten() {
-                        let scaled = decode(config.geometry, *number) * 2_f32.powi(-random.i32(0..40));
-                        *number = encode(config.geometry, scaled);
-                    }
+                    let numbers = [first, second].into_iter().flatten();
+                    numbers.for_each(|number| by(2_f64.powi(-random.i32(0..40)), number));
                 }
                 _ => scale(&mut [first, second][random.usize(0..2)][random.usize(0..3)]),
             }
@@ -95,14 +94,14 @@ pub fn cross_the_eye(config: &Config, splats: &mut [Splat], one_in: u32, random:
 pub fn strew(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     let Viewport { scale, origin, .. } = registers(config).viewport;
     let number = |bits| decode(config.geometry, bits);
-    let size = [config.width, config.height];
+    let pixels = [config.width, config.height];
     for Splat { center, tangents, end, .. } in splats {
         if *end || random.u32(0..one_in) != 0 {
             continue;
         }
         let depth = 2_f32.powi(random.i32(1..4));
         let place: [f32; 2] = std::array::from_fn(|axis| {
-            let middle = random.u32(0..size[axis]) as f32 + 0.5;
+            let middle = random.u32(0..pixels[axis]) as f32 + 0.5;
             depth * (middle - number(origin[axis])) / number(scale[axis])
         });
         *center = [place[0], place[1], depth].map(|part| encode(config.geometry, part));
@@ -117,14 +116,14 @@ pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut R
     /// Where bounds are rounded, of pixels with a sample in the middle or four on their edges.
     const ROUNDED: [f64; 4] = [126.0, 130.0, 162.0, 254.0];
     let viewport = registers(config).viewport;
+    let pixels = [config.width, config.height];
     let number = |bits| f64::from(decode(config.geometry, bits));
     for Splat { center, tangents, end, .. } in splats {
         if *end || random.u32(0..one_in) != 0 {
             continue;
         }
-        let size = [config.width, config.height];
-        let axis = random.usize(0..size.len());
-        let limit = f64::from(random.u32(0..size[axis])) + ROUNDED[random.usize(0..ROUNDED.len())] / 256.0;
+        let axis = random.usize(0..pixels.len());
+        let limit = f64::from(random.u32(0..pixels[axis])) + ROUNDED[random.usize(0..ROUNDED.len())] / 256.0;
         let side = if random.bool() { 1.0 } else { -1.0 };
         let (scale, depth) = (number(viewport.scale[axis]), number(center[2]));
         let slopes = tangents.map(|tangent| number(tangent[2]) / depth);

@@ -26,6 +26,7 @@ const FRAME: usize = 120;
 const SURFACE: u32 = 0x9e_3779;
 /// How far depths that nearly meet are apart, in their last place.
 const NEAR_BY: u32 = 5;
+
 /// Randomness of the stimulus: the same whatever the stalls, unless the environment has another seed.
 pub fn random() -> Rng {
     Rng::with_seed(seed().expect("POINTCORE_SEED is a number"))
