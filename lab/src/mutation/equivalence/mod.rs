@@ -241,6 +241,7 @@ impl Prover<'_> {
         Ok(false)
     }
 
+    /// The same for registers of which so many are near.
     fn is_hidden_within(
         &self,
         module: &str,
