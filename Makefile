@@ -20,6 +20,8 @@ REVISION ?= $(shell git log -1 --format=%h -- docs/area.json)
 PROFILE ?= dev
 # What cargo builds where the program or a library is wanted, if not those alone; CI names all, which it has built for the tests.
 PACKAGES ?=
+# The tests of units are found by a macro, where cargo does not look for text to format.
+CHECK_FORMATTING = cargo fmt --all --check && rustfmt --check --edition 2024 $(wildcard tb/tests/*.rs tb/tests/*/*.rs)
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim sim_axi synth
@@ -72,7 +74,7 @@ gen: ## Write the Verilog for SCENE into out/verilog
 	cargo run --release --bin pointcore -- gen $(SCENE) -o out/verilog
 
 quick: ## What to run after every change: formatting, tests without a simulator, one unit in lockstep; under 3 minutes once built
-	cargo fmt --all --check
+	$(CHECK_FORMATTING)
 	cargo test -p pointcore-contract -p pointcore-golden -p rtl -p pointcore-hdl --lib
 	cargo test -p rtl --test rtl
 	cargo test -p pointcore-tb --test units -- layout stream_skid
@@ -102,7 +104,7 @@ python: setup ## Build the Python wheel and test it in a fresh environment; PROF
 	@PROFILE=$(PROFILE) ./scripts/bindings python
 
 check: ## Formatting, clippy and documentation without warnings
-	cargo fmt --all --check
+	$(CHECK_FORMATTING)
 	cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 

@@ -1,9 +1,9 @@
 //! `bus_frames` against its model, in every cycle.
 
 use pointcore_contract::bus::units::FRAMES_MAX;
-use pointcore_contract::splat::{Config, Feature};
 use pointcore_contract::fields;
 use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, late_uniforms};
+use pointcore_contract::splat::{Config, Feature};
 use pointcore_golden::bus::{Frames, FramesIn};
 use pointcore_hdl::bus::frames;
 use pointcore_tb::lockstep::seeds;

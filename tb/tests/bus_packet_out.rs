@@ -17,7 +17,12 @@ fn fragments() -> splat::Config {
 }
 
 /// Sends records; returns the cycles that it took.
-fn exchange<R: Record<Domain = Words>>(config: &R::Config, stream_bits: u32, seed: u64, patterns: [Stalls; 2]) -> (u64, u64) {
+fn exchange<R: Record<Domain = Words>>(
+    config: &R::Config,
+    stream_bits: u32,
+    seed: u64,
+    patterns: [Stalls; 2],
+) -> (u64, u64) {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(packet_out::module::<R>(config, stream_bits), seed);
     let ports = Ports::<R>::ALL;

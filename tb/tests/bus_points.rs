@@ -70,7 +70,10 @@ fn set(host: &mut PointsHost, world: &World) {
     let search = &world.config.search;
     if search.neighbor_cache > 0 {
         let cache = world.asked.cache(search).map(|word| word as u32);
-        ["cache_ball", "reach", "cache_margin_scale"].into_iter().zip(cache).for_each(|(name, word)| host.write(name, word));
+        ["cache_ball", "reach", "cache_margin_scale"]
+            .into_iter()
+            .zip(cache)
+            .for_each(|(name, word)| host.write(name, word));
     }
     for (field, &value) in fields::<Settings>(&world.config.process).iter().zip(settings) {
         host.write(&format!("setting_{}", field.name), value);
@@ -161,7 +164,13 @@ fn what_no_search_can_be_asked_for_is_refused() {
     let map = PointsRegisters::registers(&config);
     let mut refused = 0;
     let negative = 0xbf80_0000;
-    let wrong = [("k", 0), ("k", config.search.neighbors + 1), ("radius2", negative), ("radius2", 0x7fc0_0000), ("iterations_max", 0)];
+    let wrong = [
+        ("k", 0),
+        ("k", config.search.neighbors + 1),
+        ("radius2", negative),
+        ("radius2", 0x7fc0_0000),
+        ("iterations_max", 0),
+    ];
     for (name, value) in wrong {
         let register = map.iter().find(|register| register.name == name).expect("the map has it");
         let before = host.read(name);

@@ -166,7 +166,8 @@ fn beats_that_nobody_asked_for(bench: &mut Bench, data: &mut Feed, record: &mut 
 fn requests(stride: u32, records_max: u32, random: &mut fastrand::Rng) -> Vec<(u32, u32)> {
     let [borders, strides] = [BORDER_BYTES, stride].map(|bytes| (u32::MAX - records_max * stride) / bytes);
     let request = |random: &mut fastrand::Rng| {
-        let near = BORDER_BYTES * random.u32(1..=borders) - stride * random.u32(0..=records_max.min(BORDER_BYTES / stride));
+        let near =
+            BORDER_BYTES * random.u32(1..=borders) - stride * random.u32(0..=records_max.min(BORDER_BYTES / stride));
         let address = if random.bool() { near } else { random.u32(..strides) * stride };
         (address, random.u32(1..=records_max))
     };
@@ -204,8 +205,7 @@ fn takes_a_beat_in_every_cycle<R: Record<Domain = Words> + PartialEq>(config: &R
     for memory_bits in [32, 64, 512] {
         let stride = Reader::<R>::new(config, memory_bits).stride();
         for count in [1, records_max] {
-            let requests: Vec<_> =
-                (0..REQUESTS as u32).map(|number| (number * 3 * stride * count, count)).collect();
+            let requests: Vec<_> = (0..REQUESTS as u32).map(|number| (number * 3 * stride * count, count)).collect();
             let Exchange { cycles, beats } =
                 exchange::<R>(config, memory_bits, &requests, records_max, Memory::Sound, 1, never);
             // The way through the unit, and the memory's.

@@ -1,8 +1,7 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
 use pointcore_contract::bus::registers::{
-    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, RegisterMap, RunCounter, STATUS,
-    UniformBits,
+    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, RegisterMap, RunCounter, STATUS, UniformBits,
 };
 use pointcore_contract::bus::units::registers::Ports;
 use pointcore_contract::bus::{Register, RegisterKind, When};
@@ -263,8 +262,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     let (counted, errors) = (counted::<M>(config), errors(sources));
     let of_kind = |kind| map.iter().find(|register| register.kind == kind).map(|register| register.address);
     let cycles = of_kind(RegisterKind::Run(RunCounter::Cycles)).unwrap();
-    let settings: Vec<_> =
-        map.iter().filter(is_setting).collect();
+    let settings: Vec<_> = map.iter().filter(is_setting).collect();
     let (mut refused, mut runs, mut ahead) = (0, 0, 0);
     // With some seeds one run goes on; then all registers are read.
     let goes_on = seed.is_multiple_of(SEEDS);
@@ -286,8 +284,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
         }
         let next = to_read.pop().or([None, Some(STATUS), None, Some(CONTROL)][calm as usize]);
         let at_once = if next.is_none() && host.random.u8(..4) == 0 { host.random.usize(2..=AT_ONCE) } else { 1 };
-        let addresses: Vec<_> =
-            (0..at_once).map(|_| next.unwrap_or_else(|| address(map, &mut host.random))).collect();
+        let addresses: Vec<_> = (0..at_once).map(|_| next.unwrap_or_else(|| address(map, &mut host.random))).collect();
         if calm > 1 || (next.is_none() && host.random.bool()) {
             let write = |address: u32| {
                 if calm == 3 {
@@ -317,7 +314,11 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
                 // While a run is under way, cycles pass between the answer and here.
                 let most = if host.was_busy { CYCLES_OF_A_READ * at_once as u64 } else { 0 };
                 let is_right = if is_cycles { u64::from(shown).abs_diff(host.cycles) <= most } else { shown == value };
-                assert!(is_right, "access {access}: {address:x} reads {shown:x}, not {value:x} (cycles {})", host.cycles);
+                assert!(
+                    is_right,
+                    "access {access}: {address:x} reads {shown:x}, not {value:x} (cycles {})",
+                    host.cycles
+                );
                 refused += u32::from(response == Response::Refused);
             }
         }
@@ -347,6 +348,10 @@ fn accesses_do_what_the_model_does() {
         exchange::<TalliedSplat>(&splat::Config::default(), [0, 1, 1, 2], seed);
         exchange::<TalliedSplat>(&wide, [0, 1, 1, 2], seed);
         exchange::<TalliedSearch>(&b, [1, 2, 1, 2], seed);
-        exchange::<TalliedPoints>(&points::Config { search: b.clone(), ..points::Config::default() }, [0, 4, 1, 3], seed);
+        exchange::<TalliedPoints>(
+            &points::Config { search: b.clone(), ..points::Config::default() },
+            [0, 4, 1, 3],
+            seed,
+        );
     }
 }

@@ -1,9 +1,9 @@
 //! The search core on AXI finds what a search through all points does: tree through the window or in memory, with caches and without.
 
+use pointcore_contract::bus::Config as Widths;
 use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
 use pointcore_contract::bus::units::search_axi::Ports;
 use pointcore_contract::bus::units::{window_bits, window_index_bits};
-use pointcore_contract::bus::Config as Widths;
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{CachedQuery, CachedResult};
 use pointcore_hdl::bus::search;
@@ -216,7 +216,10 @@ fn leaves_without_beats_end_a_run_and_are_counted() {
         }
         host.finish();
         let counted = host.read("burst_errors");
-        assert!(counted > 0 && (counted >= QUERIES || config.point_cache > 0 || config.neighbor_cache > 0), "{counted}");
+        assert!(
+            counted > 0 && (counted >= QUERIES || config.point_cache > 0 || config.neighbor_cache > 0),
+            "{counted}"
+        );
         put_tree(&mut host, &config, tree_words(&config, &tree));
         let refused = run(&mut host, &config, &tree, &mut random, RESET);
         host.expect_errors([0, 1, counted, refused, 0]);

@@ -13,8 +13,8 @@ use pointcore_golden::bus::{Burst, Writer};
 use pointcore_hdl::bus::writer;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
-use crate::splat::scene;
 use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls};
+use crate::splat::scene;
 
 const RECORDS: u32 = 200;
 const WRITES_MAX: u32 = 16;

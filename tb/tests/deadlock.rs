@@ -59,7 +59,9 @@ fn check(seed: u64, streams: usize, run: impl Fn(Paces) -> Ran) {
 fn renderers_come_to_their_end_whatever_is_held() {
     for seed in seeds(CONFIGURATIONS).unwrap() {
         let device = device(Core::Splat, seed);
-        let AnyConfig::Splat(config) = AnyConfig::random(Core::Splat, &mut Rng::with_seed(seed)) else { unreachable!() };
+        let AnyConfig::Splat(config) = AnyConfig::random(Core::Splat, &mut Rng::with_seed(seed)) else {
+            unreachable!()
+        };
         check(seed, renderer::streams(&config), |paces| {
             let script = extent::renderer(&config, &mut Rng::with_seed(seed));
             let script = renderer::Script { paces, latency: LATE, resets: vec![], ..script };
@@ -73,7 +75,9 @@ fn renderers_come_to_their_end_whatever_is_held() {
 fn search_cores_come_to_their_end_whatever_is_held_and_in_whatever_order_memory_answers() {
     for seed in seeds(CONFIGURATIONS).unwrap() {
         let device = device(Core::Search, seed);
-        let AnyConfig::Search(config) = AnyConfig::random(Core::Search, &mut Rng::with_seed(seed)) else { unreachable!() };
+        let AnyConfig::Search(config) = AnyConfig::random(Core::Search, &mut Rng::with_seed(seed)) else {
+            unreachable!()
+        };
         for window in [1, usize::MAX] {
             check(seed, searcher::STREAMS, |paces| {
                 let script = searcher::Script::random(&config, extent::SEARCH, &mut Rng::with_seed(seed));
@@ -109,15 +113,17 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
         let random = &mut Rng::with_seed(seed);
         let bus = Widths { stream_bits: 32 << random.u32(..5), memory_bits: 32 << random.u32(..5) };
         let config = Config { bus, ..random_renderer(random) };
-        let (frame, (expected, bound)) = frames(&config, FRAMES, extent::RENDERER.splats, Lens::whole(&config), Some(extent::HARD_CASES), random)
-            .into_iter()
-            .map(|frame| {
-                let uniforms: Uniforms = read(&config, &frame.uniforms);
-                let expected = expected(&config, &EncodedFrame { records: frame.records.clone(), uniforms, depths: None });
-                (frame, expected)
-            })
-            .find(|(_, (fragments, _))| !fragments.is_empty())
-            .unwrap_or_else(|| panic!("seed {seed}: nothing is drawn in {FRAMES} frames"));
+        let (frame, (expected, bound)) =
+            frames(&config, FRAMES, extent::RENDERER.splats, Lens::whole(&config), Some(extent::HARD_CASES), random)
+                .into_iter()
+                .map(|frame| {
+                    let uniforms: Uniforms = read(&config, &frame.uniforms);
+                    let expected =
+                        expected(&config, &EncodedFrame { records: frame.records.clone(), uniforms, depths: None });
+                    (frame, expected)
+                })
+                .find(|(_, (fragments, _))| !fragments.is_empty())
+                .unwrap_or_else(|| panic!("seed {seed}: nothing is drawn in {FRAMES} frames"));
         let mut expected = expected;
         crate::splat::in_order(&config, &mut expected);
         for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {

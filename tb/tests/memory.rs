@@ -49,7 +49,9 @@ impl Shape {
         let (mut words, mut shown) = (vec![0; self.depth as usize], vec![0; self.reads]);
         move |inputs, outputs| {
             outputs.copy_from_slice(&shown);
-            let (&[rst, write, address, data], reads) = inputs.split_at(4) else { panic!("too few inputs: {inputs:?}") };
+            let (&[rst, write, address, data], reads) = inputs.split_at(4) else {
+                panic!("too few inputs: {inputs:?}")
+            };
             for (shown, read) in shown.iter_mut().zip(reads.chunks(2)) {
                 match (rst, read[0]) {
                     (0, 0) => {}

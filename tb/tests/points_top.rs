@@ -141,12 +141,15 @@ impl Rule for Host {
                 self.expected.insert(fields[0], expected.outcome);
             }
             "fetch" => {
-                self.positions.request(feeds, fields, |feeds, request| send_positions(&self.world.tree, feeds, request));
+                self.positions
+                    .request(feeds, fields, |feeds, request| send_positions(&self.world.tree, feeds, request));
             }
             "beat" if fields[2] == 1 => {
                 self.positions.answered(feeds, |feeds, request| send_positions(&self.world.tree, feeds, request));
             }
-            "lookup" => self.records.request(feeds, fields, |feeds, request| send_record(&self.world.tree, feeds, request)),
+            "lookup" => {
+                self.records.request(feeds, fields, |feeds, request| send_record(&self.world.tree, feeds, request))
+            }
             "record" => self.records.answered(feeds, |feeds, request| send_record(&self.world.tree, feeds, request)),
             "line" => self.line(feeds, fields[0]),
             "result" => {
@@ -167,12 +170,9 @@ fn build(config: &Config) -> (Core, Top) {
     let core = top::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let latency = |block: &str| core.manifests.get(block).map(|manifest| manifest.latency);
     let length = |block: &str| latency(block).expect("every core has the block");
-    let pipeline = |block: &str| Pipeline {
-        latency: length(block),
-        interval: core.manifests[block].initiation_interval,
-    };
-    let neighbor_cache =
-        latency("check").zip(latency("cover")).map(|(check, cover)| CacheLatencies { check, cover });
+    let pipeline =
+        |block: &str| Pipeline { latency: length(block), interval: core.manifests[block].initiation_interval };
+    let neighbor_cache = latency("check").zip(latency("cover")).map(|(check, cover)| CacheLatencies { check, cover });
     let latencies = Latencies {
         search: golden_search::Latencies { path: length("traversal"), distance: length("leaf"), neighbor_cache },
         blocks: golden_process::Latencies { init: latency("init"), finish: length("final") },

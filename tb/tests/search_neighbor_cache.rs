@@ -70,8 +70,13 @@ fn check(config: &Config, cloud: &[Point], query: &Query, seen: &mut Seen) {
 
 /// One entry, fewer than a power of two, as many as the thesis has, and so many that queries wait to be compared.
 fn configs() -> [Config; 4] {
-    let base =
-        Config { geometry: Format::F32.flushed(), index_bits: INDEX_BITS, tree_depth: 4, bucket: 8, ..Config::default() };
+    let base = Config {
+        geometry: Format::F32.flushed(),
+        index_bits: INDEX_BITS,
+        tree_depth: 4,
+        bucket: 8,
+        ..Config::default()
+    };
     [
         Config { neighbor_cache: 1, threads: 1, neighbors: 2, ..base.clone() },
         Config { neighbor_cache: 3, threads: 3, neighbors: 8, geometry: Format::F24.flushed(), ..base.clone() },
@@ -88,25 +93,17 @@ fn neighborhoods_agree_with_the_model_and_with_brute_force() {
         let model =
             NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });
         let begin = |feeds: &mut Feeds| Surroundings::begin(&config, feeds);
-        lockstep(
-            &config,
-            &unit.module,
-            &model,
-            &units::neighbor_cache::UNIT,
-            begin,
-            all,
-            |surroundings, report| {
-                assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
-                for query in &surroundings.queries {
-                    check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());
-                }
-                let cached = surroundings.queries.iter().filter(|query| query.cached).count() as u64;
-                let misses = surroundings.queries.len() as u64 - cached;
-                assert!(cached > 0 && misses > 0, "{cached} hits, {misses} misses");
-                assert_eq!(["event_cache_hit", "event_cache_miss"].map(|event| report.events(event)), [cached, misses]);
-                assert_eq!(report.transfers("search"), misses);
-            },
-        );
+        lockstep(&config, &unit.module, &model, &units::neighbor_cache::UNIT, begin, all, |surroundings, report| {
+            assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
+            for query in &surroundings.queries {
+                check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());
+            }
+            let cached = surroundings.queries.iter().filter(|query| query.cached).count() as u64;
+            let misses = surroundings.queries.len() as u64 - cached;
+            assert!(cached > 0 && misses > 0, "{cached} hits, {misses} misses");
+            assert_eq!(["event_cache_hit", "event_cache_miss"].map(|event| report.events(event)), [cached, misses]);
+            assert_eq!(report.transfers("search"), misses);
+        });
         let seen = seen.into_inner();
         let Seen { cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty } = seen;
         for count in [cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty] {

@@ -41,8 +41,13 @@ impl Searches {
             let start = start(&self.config, thread, beyond + self.queries_left, &mut feeds.random);
             let leaves_left = feeds.random.u32(..5);
             let radius2 = number(&self.config, start[3]);
-            self.threads[thread as usize] =
-                Search { number: (start[1] % NUMBERED) as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
+            self.threads[thread as usize] = Search {
+                number: (start[1] % NUMBERED) as usize,
+                k: start[2] as usize,
+                radius2,
+                leaves_left,
+                distances: vec![],
+            };
             feeds.feed("start", start);
         }
     }
@@ -54,7 +59,8 @@ impl Searches {
         for beat in 0..beats {
             let mut item = vec![thread, feeds.random.u64(..1 << self.config.beat_bits()), u64::from(beat + 1 == beats)];
             for _ in 0..self.config.lanes {
-                let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { distance2(&self.config, &mut feeds.random) };
+                let distance2 =
+                    if feeds.random.u8(..8) == 0 { f32::NAN } else { distance2(&self.config, &mut feeds.random) };
                 search.distances.push(distance2);
                 item.push(word(&self.config, distance2));
             }
@@ -79,7 +85,9 @@ impl Rule for Searches {
                 feeds.feed("finish", vec![fields[0]]);
             }
             "released" => self.restart(feeds, fields[0]),
-            "result" if fields[2] == 1 => self.found[(fields[0] % NUMBERED) as usize].push(number(&self.config, fields[4])),
+            "result" if fields[2] == 1 => {
+                self.found[(fields[0] % NUMBERED) as usize].push(number(&self.config, fields[4]))
+            }
             _ => {}
         }
     }

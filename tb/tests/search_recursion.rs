@@ -84,20 +84,12 @@ fn recursion_agrees_with_the_model() {
             surroundings
         };
         let (module, model) = (recursion::module(&config), Recursion::new(&config));
-        lockstep(
-            &config,
-            &module,
-            &model,
-            &units::recursion::UNIT,
-            begin,
-            all,
-            |surroundings, report| {
-                assert_eq!(surroundings.paths_left, 0);
-                let resumed = report.transfers("resume");
-                assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");
-                assert_eq!(report.transfers("empty"), report.transfers("start"));
-            },
-        );
+        lockstep(&config, &module, &model, &units::recursion::UNIT, begin, all, |surroundings, report| {
+            assert_eq!(surroundings.paths_left, 0);
+            let resumed = report.transfers("resume");
+            assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");
+            assert_eq!(report.transfers("empty"), report.transfers("start"));
+        });
     }
 }
 

@@ -94,17 +94,9 @@ fn stacks_agree_with_the_model() {
             batches
         };
         let (module, model) = (stack::module(&config), Stack::new(&config));
-        lockstep(
-            &config,
-            &module,
-            &model,
-            &units::stack::UNIT,
-            begin,
-            top_of_nothing,
-            |batches, report| {
-                assert_eq!(batches.left, 0);
-                assert!(report.transfers("push") > 0 && report.transfers("pop") > report.transfers("push") / 2);
-            },
-        );
+        lockstep(&config, &module, &model, &units::stack::UNIT, begin, top_of_nothing, |batches, report| {
+            assert_eq!(batches.left, 0);
+            assert!(report.transfers("push") > 0 && report.transfers("pop") > report.transfers("push") / 2);
+        });
     }
 }

@@ -13,7 +13,8 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
 use crate::search::{
-    Coordinate, all, cache_scales, close_coordinate, configs, coordinate, fine_coordinate, lockstep, number, query_at, word,
+    Coordinate, all, cache_scales, close_coordinate, configs, coordinate, fine_coordinate, lockstep, number, query_at,
+    word,
 };
 use crate::support::cases;
 
@@ -57,12 +58,7 @@ struct Host {
 
 /// Queries to a core with a neighbor cache: near as many places as it has entries, off the grid of the points so that few
 /// distances tie.
-fn coherent_queries(
-    coordinate: Coordinate,
-    config: &Config,
-    mode: Mode,
-    random: &mut fastrand::Rng,
-) -> Vec<Vec<u64>> {
+fn coherent_queries(coordinate: Coordinate, config: &Config, mode: Mode, random: &mut fastrand::Rng) -> Vec<Vec<u64>> {
     let fine = |random: &mut fastrand::Rng| f32::from(random.i8(-3..=3)) / 32.0;
     let places: Vec<_> =
         (0..config.neighbor_cache).map(|_| [(); 3].map(|()| coordinate(random) + fine(random))).collect();

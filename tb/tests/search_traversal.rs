@@ -100,18 +100,10 @@ fn descents_agree_with_the_model_and_visit_every_leaf() {
             threads
         };
         let model = Traversal::new(&config, unit.manifest.latency);
-        lockstep(
-            &config,
-            &unit.module,
-            &model,
-            &units::traversal::UNIT,
-            begin,
-            all,
-            |threads, report| {
-                assert_eq!(report.transfers("descend"), DESCENTS);
-                assert_eq!(report.transfers("leaf"), DESCENTS + report.transfers("push"), "a path ends in a leaf each");
-                assert!(threads.paths.iter().all(Vec::is_empty));
-            },
-        );
+        lockstep(&config, &unit.module, &model, &units::traversal::UNIT, begin, all, |threads, report| {
+            assert_eq!(report.transfers("descend"), DESCENTS);
+            assert_eq!(report.transfers("leaf"), DESCENTS + report.transfers("push"), "a path ends in a leaf each");
+            assert!(threads.paths.iter().all(Vec::is_empty));
+        });
     }
 }

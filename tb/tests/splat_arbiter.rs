@@ -89,7 +89,8 @@ fn it_agrees_with_the_model_and_nothing_is_lost() {
             let owners = sides.iter().zip(&counts).flat_map(|(side, count)| vec![*side; usize::from(*count)]);
             let owners: Vec<u32> = owners.collect();
             assert_eq!(sides.len(), 2 * READS);
-            waited |= sides.windows(3).any(|sides| sides == [0, 0, 1]) && sides.windows(3).any(|sides| sides == [1, 0, 1]);
+            waited |=
+                sides.windows(3).any(|sides| sides == [0, 0, 1]) && sides.windows(3).any(|sides| sides == [1, 0, 1]);
             for (side, name) in (0..).zip(["low_data", "high_data"]) {
                 let of_side = data.iter().zip(&owners).filter(|(_, owner)| **owner == side).map(|(pixel, _)| pixel);
                 assert!(collected(name).iter().eq(of_side), "{name}, seed {seed}");

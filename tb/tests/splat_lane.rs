@@ -129,7 +129,9 @@ impl Loop {
         }
         if let Some(read) = out.read.filter(|_| read_ready) {
             let PixelRun { surface, tile, pixel, count } = read;
-            self.beats.extend(&self.tiles[buffer_tile(&self.config, surface, tile)][usize::from(pixel)..][..usize::from(count)]);
+            self.beats.extend(
+                &self.tiles[buffer_tile(&self.config, surface, tile)][usize::from(pixel)..][..usize::from(count)],
+            );
         }
         if let Some(StoredPixel { surface, placed }) = out.write.filter(|_| write_ready) {
             self.tiles[buffer_tile(&self.config, surface, placed.tile)][usize::from(placed.pixel)] = placed.value;

@@ -64,14 +64,17 @@ fn of_tile(entries: &[[u64; 2]], tile: u64) -> Vec<u64> {
 /// Levels, tiles in turn and image width: one tile at a time and many, more turns than entries, one column of tiles and many.
 #[test]
 fn it_agrees_with_the_model_at_every_size() {
-    for (heap_levels, tiles_in_turn, width) in [(2, 1, 8), (2, 8, 61), (4, 2, 130), (5, 3, 61), (7, 4, 61), (10, 16, 61)] {
+    for (heap_levels, tiles_in_turn, width) in
+        [(2, 1, 8), (2, 8, 61), (4, 2, 130), (5, 3, 61), (7, 4, 61), (10, 16, 61)]
+    {
         let config = Config { heap_levels, tiles_in_turn, tile_slots: 20, width, height: 37, ..Config::default() };
         let device = Device::new(&config, &lists::module(&config), &units::lists::UNIT);
         let streams = Streams::of(device.library());
         let stream = |name| streams.get(name).expect("lists have it").clone();
         let (mut filled, mut interleaved) = (0, 0);
         for seed in seeds(SEEDS).expect("POINTCORE_SEED is a number") {
-            let kinds = [[Stall::Never, Stall::Random(0.9)], [Stall::Random(0.5), Stall::Never], [Stall::Bursts(40); 2]];
+            let kinds =
+                [[Stall::Never, Stall::Random(0.9)], [Stall::Random(0.5), Stall::Never], [Stall::Bursts(40); 2]];
             let stimulus = Recycled {
                 input: stream("in"),
                 out: stream("out"),

@@ -20,7 +20,12 @@ fn speeds(config: &Config) -> [f64; 2] {
 
 /// A footprint of which a number is compared at a sample with one that hardly differs: by one of its digits, or none; or one on whose line
 /// the sample nearly lies.
-fn touching(config: &Config, footprint: &MovingFootprint, place: &Place, random: &mut fastrand::Rng) -> MovingFootprint {
+fn touching(
+    config: &Config,
+    footprint: &MovingFootprint,
+    place: &Place,
+    random: &mut fastrand::Rng,
+) -> MovingFootprint {
     let digit = 2_f64.powi(-random.i32(0..config.geometry.mantissa as i32 + 2));
     let hair = 1.0 + digit * f64::from(random.i8(-1..=1));
     let (mut touching, met) = (footprint.clone(), footprint.meet(place));

@@ -25,7 +25,10 @@ fn sum(config: &Config, weight: u64, random: &mut Rng) -> u64 {
                 0 => -one,
                 1 => one - random.i64(0..=one >> 6),
                 // Less than the limit by a single bit.
-                2 => one - (one >> random.u32(1..fraction.number().fraction)) - random.i64(0..=one >> fraction.number().fraction),
+                2 => {
+                    one - (one >> random.u32(1..fraction.number().fraction))
+                        - random.i64(0..=one >> fraction.number().fraction)
+                }
                 _ => random.i64(-one..=one),
             };
             sum as u64 & (u64::MAX >> (64 - fraction.sum().width))
@@ -66,8 +69,11 @@ fn it_agrees_with_the_model() {
     for config in cases(configs().into_iter().chain(fixed_configs()).chain(knobs()).chain(moving_configs())) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::normalizer::UNIT);
-        let fragments: Vec<Fragment> =
-            device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &scene::uniforms(&config));
+        let fragments: Vec<Fragment> = device.run(
+            &Normalizer::new(&config, hardware.manifest.latency),
+            &pixels(&config),
+            &scene::uniforms(&config),
+        );
         assert_eq!(fragments.len() as u64, PIXELS);
         assert_eq!(fragments.iter().filter(|fragment| fragment.end).count() as u64, PIXELS / 250);
     }

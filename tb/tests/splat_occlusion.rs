@@ -34,7 +34,11 @@ fn depth(tile: u32, pixel: u32) -> u32 {
 /// The largest integer that a depth in memory is not below, of [`DEPTH_BITS`] digits.
 fn digits(depth: u32) -> u32 {
     let most = (1 << DEPTH_BITS) - 1;
-    if depth < 1.0_f32.to_bits() { (f64::from(f32::from_bits(depth)) * f64::from(1 << DEPTH_BITS)) as u32 } else { most }
+    if depth < 1.0_f32.to_bits() {
+        (f64::from(f32::from_bits(depth)) * f64::from(1 << DEPTH_BITS)) as u32
+    } else {
+        most
+    }
 }
 
 /// What reaches the unit: slots that get tiles, and samples.
@@ -80,8 +84,13 @@ fn events(config: &Config, random: &mut fastrand::Rng) -> (Vec<Event>, Vec<Sampl
                     _ => noise.band.low,
                 };
                 let last = index + 1 == count || random.u8(..8) == 0;
-                let place =
-                    SamplePlace { last, inside: random.u8(..4) > 0, slot: slot as u8, pixel: pixel as u8, ..noise.place };
+                let place = SamplePlace {
+                    last,
+                    inside: random.u8(..4) > 0,
+                    slot: slot as u8,
+                    pixel: pixel as u8,
+                    ..noise.place
+                };
                 Sample { place, band: Band { depth: image_tile, low, ..noise.band }, ..noise }
             }));
         }

@@ -133,9 +133,8 @@ impl Stimulus for Shuffled {
             self.received.push(read(&self.config, &fields(&self.out)));
         }
         let [source, copy_sink, placed_source, sink] = self.stalls.each_mut().map(Stalls::stalled);
-        let is_free = |stream: &StreamPorts, inputs: &[u64]| {
-            !stream.offers(inputs, outputs) || stream.transfers(inputs, outputs)
-        };
+        let is_free =
+            |stream: &StreamPorts, inputs: &[u64]| !stream.offers(inputs, outputs) || stream.transfers(inputs, outputs);
         if is_free(&self.input, inputs) {
             let copy = if source { None } else { self.copies.next() };
             offer(&self.input, inputs, copy.map(|copy| words(&self.config, copy)));

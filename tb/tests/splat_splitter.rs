@@ -44,7 +44,9 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
 #[test]
 fn it_agrees_with_the_model() {
     let [bare, full, mixed] = configs();
-    for config in cases([Config { rasterizers: 2, ..bare.clone() }, bare, full, mixed].into_iter().chain(moving_configs())) {
+    for config in
+        cases([Config { rasterizers: 2, ..bare.clone() }, bare, full, mixed].into_iter().chain(moving_configs()))
+    {
         let device = Device::new(&config, &splitter::module(&config), &units::splitter::UNIT);
         let copies: Vec<SplatCopy> = device.run(&Splitter::new(&config), &splats(&config), &[]);
         assert!(copies.len() as u64 > SPLATS * 3 / 2, "{} copies", copies.len());

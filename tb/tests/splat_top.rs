@@ -149,7 +149,8 @@ fn fragments_leave_that_are_nearer_than_what_is_in_memory() {
         let end = frame.records.iter().position(|record| record.end).expect("there is a frame");
         frame.records.truncate(end + 1);
         let core_alone = SplatCore::generate(&alone).unwrap_or_else(|error| panic!("{error}"));
-        let all = SplatRunner::new(&alone, &frame).golden(&core_alone).unwrap_or_else(|error| panic!("{error}")).fragments;
+        let all =
+            SplatRunner::new(&alone, &frame).golden(&core_alone).unwrap_or_else(|error| panic!("{error}")).fragments;
         // Nothing, something before, something behind, and the very same.
         let drawn: HashMap<_, _> = all.iter().map(|found| ((found.column, found.row), found.depth)).collect();
         let held = |column: u32, row: u32| match (column + row) % 4 {
