@@ -2855,20 +2855,12 @@ module process_finish (
     wire [31:0] mul_f32_ftz_unit_copy2_b_choice_2 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? a_z_sum_d4 : mul_f32_ftz_unit_copy2_b_choice;
     wire [31:0] mul_f32_ftz_unit_copy2_b_choice_3 = mul_f32_ftz_unit_copy2_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : n_y_d1;
     wire [31:0] mul_f32_ftz_unit_copy2_b_choice_4 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? mul_f32_ftz_unit_copy2_b_choice_3 : from_start_y_d1;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice = mul_f32_ftz_unit_copy3_phase[0] ? n_y_d3 : add_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_2 = mul_f32_ftz_unit_copy3_phase[0] ? add_f32_ftz_unit_copy2_y : delay_5_from_1_out;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_3 = mul_f32_ftz_unit_copy3_phase[1] ? mul_f32_ftz_unit_copy3_a_choice : mul_f32_ftz_unit_copy3_a_choice_2;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_4 = mul_f32_ftz_unit_copy3_phase[1] ? (mul_f32_ftz_unit_copy3_phase[0] ? delay_5_from_1_out : n_z_d1) : n_x_d3;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice = mul_f32_ftz_unit_copy3_phase_copy2[0] ? along_d1 : add_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_2 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? add_f32_ftz_unit_copy2_y : rsqrt_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_3 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice : mul_f32_ftz_unit_copy3_b_choice_2;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_4 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : from_start_z_d1;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_5 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice_4 : along_d1;
-    wire [31:0] lt_f32_ftz_unit_a_choice = lt_f32_ftz_unit_phase[1] ? distance : lt_f32_ftz_unit_phase[0] ? distance : 32'd0;
-    wire [31:0] lt_f32_ftz_unit_a_choice_2 = lt_f32_ftz_unit_phase[0] ? 32'd0 : 32'd0;
-    wire [31:0] lt_f32_ftz_unit_a_choice_3 = lt_f32_ftz_unit_phase[1] ? lt_f32_ftz_unit_a_choice_2 : lt_f32_ftz_unit_a_choice_2;
-    wire [31:0] lt_f32_ftz_unit_b_choice = lt_f32_ftz_unit_phase[1] ? (lt_f32_ftz_unit_phase[0] ? 32'h7e967699 : 32'h7e967699) : lt_f32_ftz_unit_phase[0] ? 32'h7e967699 : magnitude_d1;
-    wire [31:0] lt_f32_ftz_unit_b_choice_2 = lt_f32_ftz_unit_phase[1] ? magnitude_d1 : add_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice = mul_f32_ftz_unit_copy3_phase[1] ? n_y_d3 : add_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_2 = mul_f32_ftz_unit_copy3_phase[1] ? (mul_f32_ftz_unit_copy3_phase[0] ? delay_5_from_1_out : n_z_d1) : n_x_d3;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice = mul_f32_ftz_unit_copy3_phase_copy2[1] ? along_d1 : add_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_2 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : from_start_z_d1;
+    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_3 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice_2 : along_d1;
+    wire [31:0] lt_f32_ftz_unit_b_choice = lt_f32_ftz_unit_phase[1] ? magnitude_d1 : add_f32_ftz_unit_copy3_y;
     wire there = weighs_d3 & lt_f32_ftz_unit_y;
 
     assign {out_thread, out_output_position_x, out_output_position_y, out_output_position_z} = queue_1_out_data;
@@ -3303,10 +3295,10 @@ module process_finish (
         mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase_copy2[2] ? mul_f32_ftz_unit_b_choice_2 : mul_f32_ftz_unit_b_choice_3;
         mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase[2] ? mul_f32_ftz_unit_copy2_a_choice : mul_f32_ftz_unit_copy2_a_choice_3;
         mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase_copy2[2] ? mul_f32_ftz_unit_copy2_b_choice_2 : mul_f32_ftz_unit_copy2_b_choice_4;
-        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase[2] ? mul_f32_ftz_unit_copy3_a_choice_3 : mul_f32_ftz_unit_copy3_a_choice_4;
-        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase_copy2[2] ? mul_f32_ftz_unit_copy3_b_choice_3 : mul_f32_ftz_unit_copy3_b_choice_5;
-        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase[2] ? lt_f32_ftz_unit_a_choice : lt_f32_ftz_unit_a_choice_3;
-        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase[2] ? lt_f32_ftz_unit_b_choice : lt_f32_ftz_unit_b_choice_2;
+        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase[2] ? mul_f32_ftz_unit_copy3_a_choice : mul_f32_ftz_unit_copy3_a_choice_2;
+        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase_copy2[2] ? mul_f32_ftz_unit_copy3_b_choice : mul_f32_ftz_unit_copy3_b_choice_3;
+        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase[2] ? distance : lt_f32_ftz_unit_phase[1] ? 32'd0 : 32'd0;
+        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase[2] ? 32'h7e967699 : lt_f32_ftz_unit_b_choice;
     end
     always @(posedge clk) begin
         if (phases_1[0]) begin

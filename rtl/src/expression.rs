@@ -229,11 +229,23 @@ impl Expr {
     #[must_use]
     #[track_caller]
     pub fn pick(self, entries: impl IntoIterator<Item = impl Into<Self>>) -> Self {
-        let entries: Vec<Self> = entries.into_iter().map(Into::into).collect();
-        let Some(last) = entries.last() else {
+        let entries: Vec<_> = entries.into_iter().map(|entry| Some(entry.into())).collect();
+        self.pick_or(&entries, entries.last().copied().flatten())
+    }
+
+    /// The entry that this index picks, where it never is one without an entry or past the end: those take no choice.
+    #[must_use]
+    #[track_caller]
+    pub fn pick_some(self, entries: impl IntoIterator<Item = Option<Self>>) -> Self {
+        self.pick_or(&entries.into_iter().collect::<Vec<_>>(), None)
+    }
+
+    #[track_caller]
+    fn pick_or(self, entries: &[Option<Self>], beyond: Option<Self>) -> Self {
+        let Some(last) = entries.iter().copied().flatten().next_back() else {
             return Self::poison(1, format!("`{self}` picks from nothing"));
         };
-        if let Some(odd) = entries.iter().find(|entry| entry.width() != last.width()) {
+        if let Some(odd) = entries.iter().flatten().find(|entry| entry.width() != last.width()) {
             let message = format!("entries that `{self}` picks from: `{odd}` has {} bits", odd.width());
             return Self::poison(last.width(), format!("{message}, `{last}` has {}", last.width()));
         }
@@ -241,22 +253,24 @@ impl Expr {
             let message = format!("`{self}` has {} bits and cannot pick from {} entries", self.width(), entries.len());
             return Self::poison(last.width(), message);
         }
-        self.pick_by(self.width(), &entries)
+        self.pick_by(self.width(), entries, beyond).unwrap_or(last)
     }
 
     /// A tree of two-way choices over the lowest `bits` bits of the index.
     #[track_caller]
-    fn pick_by(self, bits: u32, entries: &[Self]) -> Self {
-        if entries.len() == 1 || bits == 0 {
+    fn pick_by(self, bits: u32, entries: &[Option<Self>], beyond: Option<Self>) -> Option<Self> {
+        if entries.is_empty() {
+            return beyond;
+        }
+        if bits == 0 {
             return entries[0];
         }
         let top = bits - 1;
-        if entries.len() <= places(top) {
-            let below = self.pick_by(top, entries);
-            return self.bit(top).mux(entries[entries.len() - 1], below);
+        let (low, high) = entries.split_at(places(top).min(entries.len()));
+        match [low, high].map(|half| self.pick_by(top, half, beyond)) {
+            [Some(low), Some(high)] => Some(self.bit(top).mux(high, low)),
+            [low, high] => low.or(high),
         }
-        let (low, high) = entries.split_at(places(top));
-        self.bit(top).mux(self.pick_by(top, high), self.pick_by(top, low))
     }
 }
 

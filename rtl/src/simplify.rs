@@ -80,8 +80,13 @@ fn is_ones(expr: Expr) -> bool {
     expr.width() <= FOLDED_BITS && expr.literal_value() == Some(mask(expr.width()))
 }
 
+/// They are one, or the same bits of one.
 fn same(a: Expr, b: Expr) -> bool {
-    a.number() == b.number()
+    let sliced = |expr: Expr| match expr.node().operation {
+        Primitive::Slice(low) => Some((low, expr.width(), expr.node().operands[0].number())),
+        _ => None,
+    };
+    a.number() == b.number() || sliced(a).is_some_and(|bits| sliced(b) == Some(bits))
 }
 
 fn identity(node: &Node) -> Option<Expr> {

@@ -6,7 +6,7 @@
 use super::bind::{Unit, bind};
 use super::cost::stages;
 use super::delay::Delays;
-use super::emitter::{Chooser, Emitter};
+use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
 use super::labels::labels;
 use super::lower::combinational;
@@ -163,29 +163,12 @@ impl Body<'_> {
             let sources: Vec<Option<Expr>> = by_phase
                 .map(|slot| slot.map(|index| self.operand(self.graph.nodes()[index].operands[position], index)))
                 .collect();
-            let mut chosen = self.choose(&mut chooser, &sources);
+            let mut chosen = chooser.choose(&mut self.emitter, &sources);
             if class.operand_registers {
                 chosen = self.emitter.step(&format!("{}_{port}", instance.name()), chosen);
             }
             self.emitter.module.connect(instance, port, chosen);
         }
-    }
-
-    /// The source of the current phase; in phases without one, that of an earlier phase.
-    fn choose(&mut self, chooser: &mut Chooser, sources: &[Option<Expr>]) -> Expr {
-        let ways = sources.iter().flatten().count() as u32;
-        let mut filler = *sources.iter().flatten().next().expect("an instance carries out an operation");
-        if ways == 1 {
-            return filler;
-        }
-        let every_phase: Vec<Expr> = sources
-            .iter()
-            .map(|source| {
-                filler = (*source).unwrap_or(filler);
-                filler
-            })
-            .collect();
-        chooser.choose(&mut self.emitter, ways, &every_phase)
     }
 
     /// Sends finished tokens to the output.

@@ -106,18 +106,22 @@ pub(super) struct Chooser {
 }
 
 impl Chooser {
-    /// Of the sources by phase, `ways` of which differ, the one of the current phase. Wide ones are cut, so that no counter has
-    /// more than its share of the choices.
-    pub fn choose(&mut self, emitter: &mut Emitter, ways: u32, sources: &[Expr]) -> Expr {
-        let width = sources[0].width();
+    /// Of the sources by phase the one of the current phase; in phases without one, whichever takes no choice. Wide ones are cut, so
+    /// that no counter has more than its share of the choices.
+    pub fn choose(&mut self, emitter: &mut Emitter, sources: &[Option<Expr>]) -> Expr {
+        let operations: Vec<Expr> = sources.iter().flatten().copied().collect();
+        if let [only] = operations[..] {
+            return only;
+        }
+        let width = operations[0].width();
         // A bit is chosen among so many by half as many choices between two of the lowest bit of the phase.
-        let choices = ways.div_ceil(2);
+        let choices = (operations.len() as u32).div_ceil(2);
         let part = (LOADS / choices).clamp(1, width);
         let parts = (0..width).step_by(part as usize).map(|low| (low, (low + part).min(width) - 1));
         let chosen: Vec<Expr> = parts
             .map(|(low, high)| {
                 let phase = self.phase(emitter, (high + 1 - low) * choices);
-                phase.pick(sources.iter().map(|source| source.bits(high, low)))
+                phase.pick_some(sources.iter().map(|source| source.map(|source| source.bits(high, low))))
             })
             .collect();
         cat(chosen.into_iter().rev())

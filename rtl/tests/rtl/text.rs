@@ -164,6 +164,29 @@ fn what_is_used_twice_becomes_a_wire_and_what_is_not_used_goes() {
 }
 
 #[test]
+fn what_is_never_picked_takes_no_choice() {
+    let mut m = Module::new("top", "Picks.");
+    let (index, a, b) = (m.input("index", 2), m.input("a", 8), m.input("b", 8));
+    let parts = [(3, 0), (7, 4)].map(|(high, low)| [a, b].map(|source| source.bits(high, low)));
+    for (place, [a, b]) in parts.into_iter().enumerate() {
+        m.output(&format!("only_{place}"), index.pick_some([None, Some(a)]));
+        m.output(&format!("two_{place}"), index.pick_some([None, Some(a), Some(b)]));
+        m.output(&format!("twice_{place}"), index.pick_some([Some(a), Some(a), Some(b), Some(a)]));
+        m.output(&format!("last_{place}"), index.pick([a, b]));
+    }
+    let design = elaborate(&m).unwrap();
+    let text = design.verilog();
+    for line in [
+        "assign only_0 = a[3:0];",
+        "assign two_0 = index[1] ? b[3:0] : a[3:0];",
+        "assign twice_1 = index[1] ? (index[0] ? a[7:4] : b[7:4]) : a[7:4];",
+        "assign last_1 = index[1] ? b[7:4] : index[0] ? b[7:4] : a[7:4];",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+}
+
+#[test]
 fn ports_are_listed_as_declared() {
     let design = elaborate(&accumulator()).expect("the module has no fault");
     let ports: Vec<(&str, u32)> = design.ports().iter().map(|port| (port.name.as_str(), port.width)).collect();
