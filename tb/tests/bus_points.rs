@@ -53,7 +53,7 @@ fn host(world: &World, seed: u64) -> PointsHost {
         let place = LINES_BASE as usize + index * stride as usize;
         host.memory[place..place + stride as usize].copy_from_slice(&point.encode(&words, stride));
     }
-    host.write("lines_base", LINES_BASE);
+    host.write_base("lines_base", LINES_BASE);
     if search.neighbor_cache > 0 {
         host.write("cache_far_scale", word(search, 1.0 - 1e-4) as u32);
     }

@@ -84,6 +84,10 @@ fn answered(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fa
     }
     assert!(!host.start(0), "a run is under way");
     host.finish();
+    for CachedResult { result, cached } in host.received.iter().filter(|result| result.result.found) {
+        let distance2 = tree.distance2(result.index.into(), tree.point(&queries[result.number as usize]));
+        assert!(*cached || word(config, distance2) == u64::from(result.distance2), "{result:?}");
+    }
     let found = results(host, queries.len());
     for (asked, found) in queries.iter().zip(found) {
         let mut expected = tree.nearest(asked);

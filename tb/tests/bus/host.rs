@@ -6,9 +6,9 @@ use pointcore::splat::depth_memory::DEPTH_BYTES;
 use pointcore_contract::bus::axi::{
     BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, SlaveBits, WriteBeat, WriteMaster,
 };
-use pointcore_contract::bus::config::{ADDRESS_BITS, BORDER_BYTES, TREE_WORD_BITS};
+use pointcore_contract::bus::config::{ADDRESS_BITS, BORDER_BYTES, ID_BITS, TREE_WORD_BITS};
 use pointcore_contract::bus::packets::Packet;
-use pointcore_contract::bus::registers::{CONTROL, ERRORS, RegisterMap, STATUS, SplatRegisters};
+use pointcore_contract::bus::registers::{Access, CONTROL, ERRORS, RegisterMap, STATUS, SplatRegisters};
 use pointcore_contract::bus::units::splat_axi;
 use pointcore_contract::bus::{Config, Layout, Register};
 use pointcore_contract::splat;
@@ -20,7 +20,11 @@ use rtl::Module;
 
 use super::{Bench, Carrier, Drain, Feed, bytes, stalls, words};
 
+/// Answers of a slave.
+const OKAY: u64 = 0;
 const SLAVE_ERROR: u64 = 2;
+/// How the address of a burst goes on: up.
+const UP: u8 = 1;
 /// Bits of `control`.
 pub const START: u32 = 1;
 pub const RESET: u32 = 2;
@@ -28,6 +32,23 @@ const ABORT: u32 = 8;
 /// Cycles that an answer takes at most, and a run.
 const ANSWER_CYCLES: u64 = 20_000;
 const RUN_CYCLES: u64 = 3_000_000;
+
+/// Where in memory a burst of a memory port begins, and how many bytes it has; `origin` is the memory's first address.
+fn extent(burst: &[u64], origin: u32, beat_bytes: usize) -> (usize, usize) {
+    let burst: BurstAddress = read(&ADDRESS_BITS, burst);
+    let length = (usize::from(burst.length) + 1) * beat_bytes;
+    let end = burst.address + (length - 1) as u32;
+    assert_eq!((burst.burst, 1 << burst.size), (UP, beat_bytes), "{burst:x?}");
+    assert_eq!(burst.address as usize % beat_bytes, 0, "{burst:x?}");
+    assert_eq!(burst.address / BORDER_BYTES, end / BORDER_BYTES, "{burst:x?} goes over a border");
+    ((burst.address - origin) as usize, length)
+}
+
+/// Whether a slave's answer says that all is well.
+fn is_accepted(response: u64) -> bool {
+    assert!([OKAY, SLAVE_ERROR].contains(&response), "an answer of {response}");
+    response == OKAY
+}
 
 /// A memory port's read half, and where it reads.
 struct Reads {
@@ -44,18 +65,17 @@ impl Reads {
         Self { address, data, beat_bytes: bits as usize / 8 }
     }
 
-    fn step(&mut self, bench: &Bench, memory: &[u8]) {
-        let beat_bytes = self.beat_bytes;
+    fn step(&mut self, bench: &Bench, origin: u32, memory: &[u8]) {
         self.data.taken(bench);
         let Some(burst) = self.address.taken(bench) else { return };
-        let BurstAddress { id, address, length, .. } = read(&ADDRESS_BITS, &burst);
-        for beat in 0..=usize::from(length) {
-            let place = address as usize + beat * beat_bytes;
-            let mut item = vec![id.into()];
-            item.extend(words(&memory[place..place + beat_bytes]));
-            item.extend([0, u64::from(beat == usize::from(length))]);
-            self.data.items.push_back(item);
-        }
+        let (place, length) = extent(&burst, origin, self.beat_bytes);
+        let id = read::<BurstAddress>(&ADDRESS_BITS, &burst).id;
+        let beats = memory[place..place + length].chunks(self.beat_bytes);
+        let last = beats.len() - 1;
+        self.data.items.extend(beats.enumerate().map(|(beat, bytes)| {
+            let end = [OKAY, u64::from(beat == last)];
+            std::iter::once(id.into()).chain(words(bytes)).chain(end).collect()
+        }));
     }
 }
 
@@ -65,7 +85,7 @@ struct Writes {
     data: Drain,
     answer: Feed,
     /// Bursts that lack data, and data that lack a burst.
-    bursts: VecDeque<usize>,
+    bursts: VecDeque<(usize, usize)>,
     packets: VecDeque<Vec<u8>>,
     gathered: Vec<u8>,
     beat_bytes: usize,
@@ -81,21 +101,22 @@ impl Writes {
         Self { address, data, answer, bursts, packets, gathered, beat_bytes: bits as usize / 8 }
     }
 
-    fn step(&mut self, bench: &Bench, memory: &mut [u8]) {
+    fn step(&mut self, bench: &Bench, origin: u32, memory: &mut [u8]) {
         self.answer.taken(bench);
-        self.bursts.extend(
-            self.address.taken(bench).map(|burst| read::<BurstAddress>(&ADDRESS_BITS, &burst).address as usize),
-        );
+        self.bursts.extend(self.address.taken(bench).map(|burst| extent(&burst, origin, self.beat_bytes)));
         if let Some(beat) = self.data.taken(bench) {
+            let &[.., strobes, last] = &beat[..] else { panic!("a beat has strobes") };
+            assert_eq!(strobes.count_ones() as usize, self.beat_bytes, "all of a beat is written");
             self.gathered.extend(bytes(&beat, self.beat_bytes));
-            if beat[beat.len() - 1] == 1 {
+            if last == 1 {
                 self.packets.push_back(std::mem::take(&mut self.gathered));
             }
         }
         if !self.bursts.is_empty() && !self.packets.is_empty() {
-            let (place, packet) = (self.bursts.pop_front().unwrap(), self.packets.pop_front().unwrap());
-            memory[place..place + packet.len()].copy_from_slice(&packet);
-            self.answer.items.push_back(vec![0, 0]);
+            let ((place, length), packet) = (self.bursts.pop_front().unwrap(), self.packets.pop_front().unwrap());
+            assert_eq!(packet.len(), length, "a burst has its beats");
+            memory[place..place + length].copy_from_slice(&packet);
+            self.answer.items.push_back(vec![0, OKAY]);
         }
     }
 }
@@ -112,12 +133,16 @@ pub struct Host<I: Packet, O: Packet> {
     sender: PacketOut<I>,
     packets_out: Drain,
     receiver: PacketIn<O>,
+    /// Beats of the packet that comes, and how it is to look.
+    arriving: Vec<(Vec<u8>, bool)>,
+    mirror: PacketOut<O>,
     reads: Vec<Reads>,
     writes: Vec<Writes>,
     window: Option<(Feed, Feed, Drain)>,
     memory_order: MemoryOrder,
-    /// Bytes behind all memory ports.
+    /// Bytes behind all memory ports, and the address of the first.
     pub memory: Vec<u8>,
+    origin: u32,
     /// Packets that came.
     pub received: Vec<O>,
     /// No packet is taken.
@@ -202,10 +227,10 @@ pub fn place<I: Packet<Domain = Words, Config = splat::Config>, O: Packet<Domain
     bases: Bases,
 ) {
     if config.has_payloads_in_memory() {
-        host.write("payload_base", bases.payloads);
+        host.write_base("payload_base", bases.payloads);
     }
     if config.merge.is_on() {
-        host.write("depth_base", bases.depths);
+        host.write_base("depth_base", bases.depths);
     }
 }
 
@@ -253,11 +278,14 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             sender: PacketOut::new(config, widths.stream_bits),
             packets_out,
             receiver: PacketIn::new(config, widths.stream_bits),
+            arriving: vec![],
+            mirror: PacketOut::new(config, widths.stream_bits),
             reads,
             writes,
             window,
             memory_order: around.memory_order,
             memory: vec![0; around.memory],
+            origin: random.u32(..u32::MAX - around.memory as u32) / BORDER_BYTES * BORDER_BYTES,
             received: vec![],
             is_held: false,
             bench,
@@ -300,15 +328,20 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         if let Some(beat) = self.packets_out.taken(&self.bench) {
             let (data, last) = beat.split_at(beat.len() - 1);
             let data = bytes(data, self.widths.stream_bits as usize / 8);
-            match self.receiver.beat(&data, last[0] == 1) {
-                Some(Verdict::Taken(packet)) => self.received.push(packet),
+            let verdict = self.receiver.beat(&data, last[0] == 1);
+            self.arriving.push((data, last[0] == 1));
+            match verdict {
+                Some(Verdict::Taken(packet)) => {
+                    assert_eq!(std::mem::take(&mut self.arriving), self.mirror.beats(packet), "padding is zero");
+                    self.received.push(packet);
+                }
                 Some(Verdict::Refused) => panic!("a packet of a wrong length came"),
                 None => {}
             }
         }
-        self.reads.iter_mut().for_each(|reads| reads.step(&self.bench, &self.memory));
+        self.reads.iter_mut().for_each(|reads| reads.step(&self.bench, self.origin, &self.memory));
         for writes in &mut self.writes {
-            writes.step(&self.bench, &mut self.memory);
+            writes.step(&self.bench, self.origin, &mut self.memory);
         }
     }
 
@@ -317,9 +350,9 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         self.bench.cycle
     }
 
-    fn address(&self, name: &str) -> u64 {
+    fn register(&self, name: &str) -> &Register {
         let register = self.map.iter().find(|register| register.name == name);
-        register.unwrap_or_else(|| panic!("no register {name}")).address.into()
+        register.unwrap_or_else(|| panic!("no register {name}"))
     }
 
     /// Writes a register; returns whether it was accepted.
@@ -346,15 +379,27 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
 
     /// Whether the next write is accepted.
     fn write_answered(&mut self) -> bool {
-        self.answered(|host| host.register_write.2.taken(&host.bench))[0] != SLAVE_ERROR
+        is_accepted(self.answered(|host| host.register_write.2.taken(&host.bench))[0])
     }
 
+    /// Writes a register, which keeps it.
     pub fn write(&mut self, name: &str, data: u32) {
-        assert!(self.write_at(self.address(name), data), "{name} = {data:x} is refused");
+        let register = self.register(name);
+        let (address, access) = (register.address, register.access());
+        assert!(self.write_at(address.into(), data), "{name} = {data:x} is refused");
+        if access == Access::ReadWrite {
+            assert_eq!(self.read(name), data, "{name}");
+        }
+    }
+
+    /// Writes where something in memory begins.
+    pub fn write_base(&mut self, name: &str, place: u32) {
+        self.write(name, self.origin + place);
     }
 
     pub fn read(&mut self, name: &str) -> u32 {
-        self.register_read.0.items.push_back(vec![self.address(name)]);
+        let address = self.register(name).address;
+        self.register_read.0.items.push_back(vec![address.into()]);
         let answer = self.answered(|host| host.register_read.1.taken(&host.bench));
         assert_eq!(answer[1], 0, "{name} is refused");
         answer[0] as u32
@@ -409,7 +454,8 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     /// Writes a word of the tree; returns whether it was accepted.
     pub fn write_tree(&mut self, index: u64, word: u64) -> bool {
         let (address, data, _) = self.window.as_mut().expect("the core has a window");
-        let burst = BurstAddress { id: 5, address: index as u32 * 8, length: 0, size: 3, burst: 1 };
+        let id = index as u8 % (1 << ID_BITS);
+        let burst = BurstAddress { id, address: index as u32 * 8, length: 0, size: 3, burst: UP };
         address.items.push_back(contract::words(&ADDRESS_BITS, burst));
         let beat = WriteBeat { data: word, strobes: 0xff, last: true };
         data.items.push_back(contract::words(&TREE_WORD_BITS, beat));
@@ -419,7 +465,8 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             data.taken(&host.bench);
             answer.taken(&host.bench)
         });
-        answer[1] != SLAVE_ERROR
+        assert_eq!(answer[0], u64::from(id));
+        is_accepted(answer[1])
     }
 
     /// Whether nothing went wrong so far.

@@ -36,7 +36,7 @@ where
     O: Packet<Domain = Words, Config = C>,
 {
     if config.tree_cache > 0 {
-        host.write("tree_base", TREE_BASE);
+        host.write_base("tree_base", TREE_BASE);
     }
     for (place, word) in words {
         if config.tree_cache == 0 {
@@ -63,5 +63,5 @@ where
         let place = POINTS_BASE as usize + beat * stride as usize;
         host.memory[place..place + stride as usize].copy_from_slice(&points.encode(&values, stride));
     }
-    host.write("points_base", POINTS_BASE);
+    host.write_base("points_base", POINTS_BASE);
 }
