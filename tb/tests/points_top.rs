@@ -23,8 +23,8 @@ use crate::search::{all, cache_scales, close_coordinate, lockstep, number};
 use crate::support::cases;
 
 const QUERIES: u64 = 24;
-/// Cycles that a line of points takes at most.
-const MEMORY_CYCLES: u32 = 40;
+/// Cycles that a line of points takes at most, in a memory of one kind.
+const MEMORY_CYCLES: [u32; 3] = [4, 40, 400];
 
 /// The host and the memories.
 #[derive(Clone)]
@@ -36,6 +36,7 @@ struct Host {
     writes_left: usize,
     positions: Memory,
     records: Memory,
+    line_cycles: u32,
     /// By number: what it is to leave with, where no two neighbors are equally far.
     expected: HashMap<u64, Option<Vec<u64>>>,
     left: u64,
@@ -69,6 +70,7 @@ impl Host {
             is_apart,
             positions: Memory::default(),
             records: Memory::default(),
+            line_cycles: MEMORY_CYCLES[feeds.random.usize(..MEMORY_CYCLES.len())],
             expected: HashMap::new(),
             left: 0,
             compared: 0,
@@ -78,7 +80,10 @@ impl Host {
         if search.neighbor_cache > 0 {
             let [ball, reach, margin_scale] = host.world.asked.cache(search);
             feeds.hold("search_reach", reach);
-            let scales = cache_scales(search, number(search, margin_scale), &mut feeds.random);
+            // With balls that always count as covered, or never, if a digit of that is lost.
+            let covers = has_balls && feeds.random.u8(..4) == 0;
+            let margin_scale = if covers { f32::INFINITY } else { number(search, margin_scale) };
+            let scales = cache_scales(search, margin_scale, &mut feeds.random);
             feeds.feed("setup", [&[ball], &scales[..]].concat());
         } else {
             host.load(feeds);
@@ -101,7 +106,7 @@ impl Host {
         let Config { process, .. } = &self.world.config;
         let points = u64::from(process.line_points);
         for point in 0..points {
-            let cycles = if point == 0 { feeds.random.u32(..MEMORY_CYCLES) } else { 0 };
+            let cycles = if point == 0 { feeds.random.u32(..self.line_cycles) } else { 0 };
             // A line may end behind the last point.
             let words = self.world.points.get((line * points + point) as usize).cloned();
             let words = words.unwrap_or_else(|| vec![0; process.program.neighbor.len()]);

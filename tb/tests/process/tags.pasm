@@ -1,4 +1,4 @@
-; Sums that hang on which neighbors a query has, and not on their order.
+; Sums that hang on which neighbors a query has, and not on their order, twice.
 .program tags
 .neighbor tag: int
 .kernel
@@ -6,3 +6,5 @@ accumulate tags, neighbor.tag
 .final
 output tags, tags
 output neighbors, neighbors
+second = less 1, count
+done second
