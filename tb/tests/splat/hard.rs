@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use pointcore::number::{decode, encode, encode_attribute};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Splat, Uniforms, Viewport};
+use pointcore_contract::splat::records::{CompleteCopy, Footprint, Sight, Splat, Uniforms, Viewport};
 
 use super::scene::registers;
 
@@ -144,6 +144,30 @@ pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut R
             place += (limit - bound) * depth / scale;
         }
         center[axis] = encode(config.geometry, place as f32);
+    }
+}
+
+/// Gives one copy in `one_in` another magnitude: its `A` and `B` a smaller one, so that its samples are hardly away from its centre, or its
+/// `A`, `B`, `Δ` and `m` any other, which leaves them where they are. What of it is seen is all or nothing then.
+pub fn magnify(config: &Config, copies: &mut [CompleteCopy], one_in: u32, random: &mut Rng) {
+    let Some(format) = config.raster_format().floating() else { return };
+    let by = |factor: f64, number: &mut u32| {
+        *number = encode(format, (f64::from(decode(format, *number)) * factor) as f32);
+    };
+    for CompleteCopy { footprint, .. } in copies {
+        if random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let Footprint { ax, ay, bx, by: b_y, delta, mx, my, sight, .. } = footprint;
+        if random.bool() {
+            let factor = 2_f64.powi(-random.i32(1..30));
+            [ax, ay, bx, b_y].into_iter().for_each(|number| by(factor, number));
+        } else {
+            let factor = 2_f64.powi(random.i32(-40..40));
+            [ax, ay, bx, b_y, delta, mx, my].into_iter().for_each(|number| by(factor, number));
+            let all = u32::MAX >> (32 - config.raster_format().limit_width());
+            *sight = Sight { near: all, far: 0, ..*sight };
+        }
     }
 }
 

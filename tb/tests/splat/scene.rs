@@ -248,7 +248,10 @@ fn moving_and_touching(config: &Config, moving: Moving, random: &mut Rng) -> Mov
     let farther = if random.bool() { scale * (1.0 - 0.25 * random.f32()) } else { scale };
     let apart = ((farther - scale) / distance * (1 << DEPTH_BITS) as f32).clamp(0.0, (SURFACE / 2) as f32);
     let depth_scale = pointcore::number::encode(format, farther);
-    let footprint = MovingFootprint { depth_scale, ..moving.footprint };
+    // Far more than what is left where `D` is nearly one.
+    let most = 2_f32.powi(random.i32(-4..12));
+    let planes = moving.footprint.planes.map(|plane| pointcore::number::encode(format, decode(format, plane) + most));
+    let footprint = MovingFootprint { depth_scale, planes, ..moving.footprint };
     Moving { footprint, epsilon: apart as u32 + random.u32(0..NEAR_BY) }
 }
 
