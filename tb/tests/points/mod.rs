@@ -211,8 +211,8 @@ pub fn cores() -> [Config; 3] {
     let parse = |text| Program::parse("test.pasm", text).unwrap_or_else(|error| panic!("{error}"));
     let [bare, points, tree, _] = configs();
     [
-        core(bare, program("mls"), 5, 4),
+        core(bare, parse(FARTHEST), 5, 4),
         core(search::Config { point_cache: 4, neighbor_cache: 8, ..points }, parse(TAGS), 3, 1),
-        core(search::Config { tree_cache: 16, neighbors: 12, ..tree }, parse(FARTHEST), 16, 8),
+        core(search::Config { tree_cache: 16, neighbors: 12, ..tree }, program("mls"), 16, 8),
     ]
 }
