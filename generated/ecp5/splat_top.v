@@ -3650,6 +3650,21 @@ module splat_rasterizer (
         1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
         next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
     };
+
+`ifdef RTL_ASSERT
+    wire check_either = (in_top == in_bottom) | (next_begin_choice_4 <= next_end_choice_4);
+    wire check_either_2 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
+
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        rows_have_samples: assert ((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2));
+`else
+        if (!((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2))) begin
+            $display("assertion failed: rows_have_samples in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Queue in a memory with a registered output.

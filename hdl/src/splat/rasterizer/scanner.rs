@@ -28,7 +28,7 @@ pub(super) struct Scanner {
     bottom: Reg,
 }
 
-/// First and last column of samples in a row, of those of a rectangle.
+/// First and last column of pixels in a row, of those of a rectangle.
 fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
     let less = |limit: Expr, by: Expr| {
         let by = by.zext(DIAGONAL_BITS);
@@ -41,8 +41,12 @@ fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, ro
     let last = sum.lt(difference).mux(sum, difference);
     let [left, right] = sides.map(|column| column.bits(LOCAL_BITS - 1, sample_bits));
     let [left, right] = [left, right].map(|pixel| pixel.zext(DIAGONAL_BITS));
-    let first = first.lt(left).mux(left, first).trunc(LOCAL_BITS - sample_bits);
-    let last = last.lt(right).mux(last, right).trunc(LOCAL_BITS - sample_bits);
+    [first.lt(left).mux(left, first), last.lt(right).mux(last, right)]
+}
+
+/// First and last column of samples in these pixels.
+fn samples(sample_bits: u32, pixels: [Expr; 2]) -> [Expr; 2] {
+    let [first, last] = pixels.map(|pixel| pixel.trunc(LOCAL_BITS - sample_bits));
     if sample_bits == 0 {
         return [first, last];
     }
@@ -103,9 +107,16 @@ impl Scanner {
         let own_diagonals = diagonals.register(m, config, "", ready);
 
         let bits = self.sample_bits;
-        let first_ends = ends(bits, [left, right], &diagonals, top);
-        let second_ends = ends(bits, [left, right], &diagonals, top.add_lit(1));
-        let following_ends = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
+        let first = ends(bits, [left, right], &diagonals, top);
+        let second = ends(bits, [left, right], &diagonals, top.add_lit(1));
+        let following = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
+        // The splitter sends no other rows.
+        let has_samples = |[first, last]: [Expr; 2]| first.le(last);
+        let loaded = has_samples(first) & (top.eq(bottom) | has_samples(second));
+        let is_there = self.row.add_carry(lit(LOCAL_BITS, 2)).le(self.bottom.zext(LOCAL_BITS + 1));
+        let followed = !is_there | has_samples(following);
+        m.assert("rows_have_samples", (!load | loaded) & (!self.busy | followed));
+        let [first_ends, second_ends, following_ends] = [first, second, following].map(|pixels| samples(bits, pixels));
         let [next_begin, next_end] = self.next_ends;
         let next_column = row_done.mux(next_begin, self.column.add_lit(1));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
