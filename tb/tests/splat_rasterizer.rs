@@ -19,7 +19,7 @@ fn it_agrees_with_the_model() {
         let mut random = scene::random();
         let copies = scene::touch(&config, &scene::copies(&config, SPLATS), 3, &mut random);
         let mut copies = scene::complete_copies(&config, copies, &mut random);
-        scene::scatter(&config, &mut copies, 4, &mut random);
+        scene::scatter(&config, &mut copies, 2, &mut random);
         hard::magnify(&config, &mut copies, 4, &mut random);
         let latency = hardware.manifest.latency;
         let run = |copies: &[CompleteCopy], uniforms| -> Vec<Sample> {

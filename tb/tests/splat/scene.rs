@@ -248,9 +248,15 @@ fn moving_and_touching(config: &Config, moving: Moving, random: &mut Rng) -> Mov
     let farther = if random.bool() { scale * (1.0 - 0.25 * random.f32()) } else { scale };
     let apart = ((farther - scale) / distance * (1 << DEPTH_BITS) as f32).clamp(0.0, (SURFACE / 2) as f32);
     let depth_scale = pointcore::number::encode(format, farther);
-    // Far more than what is left where `D` is nearly one.
-    let most = 2_f32.powi(random.i32(-4..12));
-    let planes = moving.footprint.planes.map(|plane| pointcore::number::encode(format, decode(format, plane) + most));
+    // Between both planes for a part of the exposure, which is the difference of numbers that are far larger.
+    let offset = 2_f32.powi(random.i32(-4..10));
+    let [begin, end] = [(); 2].map(|()| 1.5 - 3.0 * random.f32());
+    let met = [offset + begin.min(end), offset + begin.max(end), offset];
+    let planes = if random.bool() {
+        met.map(|number| pointcore::number::encode(format, number))
+    } else {
+        moving.footprint.planes
+    };
     let footprint = MovingFootprint { depth_scale, planes, ..moving.footprint };
     Moving { footprint, epsilon: apart as u32 + random.u32(0..NEAR_BY) }
 }
