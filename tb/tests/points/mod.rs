@@ -16,6 +16,8 @@ use crate::search::tree::Tree;
 use crate::search::{Coordinate, configs, number, word};
 
 const ITERATIONS_MAX: u32 = 3;
+/// Now and then they may be so many that their count has most of its bits that a test has time for.
+const MANY_ITERATIONS: std::ops::Range<u32> = 64..80;
 /// How much farther than a ball query asks its cached neighborhood reaches.
 const EXTENSION: f32 = 1.25;
 /// How many times some attributes are doubled.
@@ -62,7 +64,8 @@ impl Asked {
         let k = if has_cache { search.neighbors } else { random.u32(1..=search.neighbors) };
         let radius2 = if has_cache || random.bool() { f32::INFINITY } else { 3.0 + 2.0 * random.f32() };
         let settings = settings(&process.program, process.format, random);
-        let iterations_max = random.u32(1..=ITERATIONS_MAX);
+        let has_many = random.u8(..8) == 0;
+        let iterations_max = if has_many { random.u32(MANY_ITERATIONS) } else { random.u32(1..=ITERATIONS_MAX) };
         Self { settings, k, radius2: word(search, radius2), reach: None, iterations_max }
     }
 
