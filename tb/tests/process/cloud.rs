@@ -19,7 +19,7 @@ pub const QUERIES: u64 = 48;
 pub const BLOCK_CYCLES: u64 = 1500;
 const ITERATIONS_MAX: u32 = 4;
 /// How many times some points' numbers are doubled.
-const MAGNITUDES: std::ops::Range<i32> = -24..4;
+const MAGNITUDES: std::ops::Range<i32> = -24..16;
 /// Cycles that a search takes at most.
 const SEARCH_CYCLES: u32 = 60;
 
@@ -43,8 +43,12 @@ impl Cloud {
         let types = self.config.program.neighbor.words().into_iter().map(|word| word.ty);
         // Sums of small numbers show what is small in them; not in every cloud, for they hardly take several iterations.
         let is_varied = self.seed.is_multiple_of(3) && random.bool();
-        let magnitude = if is_varied { 2_f64.powi(random.i32(MAGNITUDES)) } else { 1.0 };
-        types.map(|ty| within(magnitude, &mut random, self.config.format, ty)).collect()
+        let mut magnitude = || if is_varied { 2_f64.powi(random.i32(MAGNITUDES)) } else { 1.0 };
+        let [position, attributes] = [magnitude(), magnitude()];
+        // Where a point is decides whether what it has counts.
+        let attributes = if random.bool() { attributes } else { position };
+        let magnitudes = [position; 3].into_iter().chain(std::iter::repeat(attributes));
+        types.zip(magnitudes).map(|(ty, magnitude)| within(magnitude, &mut random, self.config.format, ty)).collect()
     }
 
     /// The neighbors of a position: none, one, as many as there may be, or some.
