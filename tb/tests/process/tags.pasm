@@ -1,4 +1,4 @@
-; Sums that hang on which neighbors a query has, and not on their order, twice.
+; Sums that hang on which neighbors a query has, and not on their order. All are summed up twice.
 .program tags
 .neighbor tag: int
 .kernel
