@@ -2,6 +2,7 @@
 
 use fastrand::Rng;
 use pointcore::number::{decode, encode, encode_attribute};
+use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{CompleteCopy, Footprint, Sight, Splat, Uniforms, Viewport};
 
@@ -45,6 +46,11 @@ pub fn approach(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut
     }
 }
 
+/// Multiplies an encoded number.
+fn multiply(format: Format, number: &mut u32, factor: f64) {
+    *number = encode(format, (f64::from(decode(format, *number)) * factor) as f32);
+}
+
 /// Gives one splat in `one_in`, or its tangents or one of their numbers alone, another magnitude: any that the format has, most of them
 /// nearly the least or the largest. Or each number of its tangents another one, not far from the first.
 pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
@@ -52,17 +58,13 @@ pub fn scale(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rn
         if random.u32(0..one_in) == 0 {
             let (least, most) = [(-126, -90), (90, 127), (-126, 127)][random.usize(0..3)];
             let factor = 2_f64.powi(random.i32(least..=most));
-            let by = |factor: f64, number: &mut u32| {
-                let scaled = f64::from(decode(config.geometry, *number)) * factor;
-                *number = encode(config.geometry, scaled as f32);
-            };
-            let scale = |number: &mut u32| by(factor, number);
+            let scale = |number: &mut u32| multiply(config.geometry, number, factor);
             match random.u8(0..5) {
                 0 => [first, second, center].into_iter().flatten().for_each(scale),
                 1 => [first, second].into_iter().flatten().for_each(scale),
                 2 => {
                     let numbers = [first, second].into_iter().flatten();
-                    numbers.for_each(|number| by(2_f64.powi(-random.i32(0..40)), number));
+                    numbers.for_each(|number| multiply(config.geometry, number, 2_f64.powi(-random.i32(0..40))));
                 }
                 _ => scale(&mut [first, second][random.usize(0..2)][random.usize(0..3)]),
             }
@@ -147,24 +149,21 @@ pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut R
     }
 }
 
-/// Gives one copy in `one_in` another magnitude: its `A` and `B` a smaller one, so that its samples are hardly away from its centre, or its
-/// `A`, `B`, `Δ` and `m` any other, which leaves them where they are. What of it is seen is all or nothing then.
+/// Gives one copy in `one_in` another magnitude, where that is a float's: its `A` and `B` a smaller one, so that its samples are hardly away
+/// from its centre; or its `A`, `B`, `Δ` and `m` any other, which leaves them where they are. It has no limits of `D` then.
 pub fn magnify(config: &Config, copies: &mut [CompleteCopy], one_in: u32, random: &mut Rng) {
     let Some(format) = config.raster_format().floating() else { return };
-    let by = |factor: f64, number: &mut u32| {
-        *number = encode(format, (f64::from(decode(format, *number)) * factor) as f32);
-    };
     for CompleteCopy { footprint, .. } in copies {
         if random.u32(0..one_in) != 0 {
             continue;
         }
-        let Footprint { ax, ay, bx, by: b_y, delta, mx, my, sight, .. } = footprint;
+        let Footprint { ax, ay, bx, by, delta, mx, my, sight, .. } = footprint;
         if random.bool() {
             let factor = 2_f64.powi(-random.i32(1..30));
-            [ax, ay, bx, b_y].into_iter().for_each(|number| by(factor, number));
+            [ax, ay, bx, by].into_iter().for_each(|number| multiply(format, number, factor));
         } else {
             let factor = 2_f64.powi(random.i32(-40..40));
-            [ax, ay, bx, b_y, delta, mx, my].into_iter().for_each(|number| by(factor, number));
+            [ax, ay, bx, by, delta, mx, my].into_iter().for_each(|number| multiply(format, number, factor));
             let all = u32::MAX >> (32 - config.raster_format().limit_width());
             *sight = Sight { near: all, far: 0, ..*sight };
         }
