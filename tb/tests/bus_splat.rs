@@ -72,7 +72,6 @@ fn around(config: &Config, memory_order: MemoryOrder, seed: u64) -> (SplatHost, 
     let (around, bases) = around_renderer(config, BUFFER_BASE, memory_order);
     let mut host = Host::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
-    host.write_base("buffer_base", BUFFER_BASE);
     place(&mut host, config, bases);
     (host, bases)
 }

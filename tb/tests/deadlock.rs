@@ -130,7 +130,6 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
             let top = splat::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
             let (around, bases) = around_renderer(&config, 0, memory_order);
             let mut host = Host::<Splat, Fragment>::new(top.module, &config, config.bus, around, seed);
-            host.write_base("buffer_base", 0);
             place(&mut host, &config, bases);
             host.memory[bases.depths as usize..].fill(0xff);
             for (field, &value) in fields::<Uniforms>(&config).iter().zip(&frame.uniforms) {

@@ -34,8 +34,7 @@ const ANSWER_CYCLES: u64 = 20_000;
 const RUN_CYCLES: u64 = 3_000_000;
 
 /// Where in memory a burst of a memory port begins, and how many bytes it has; `origin` is the memory's first address.
-fn extent(burst: &[u64], origin: u32, beat_bytes: usize) -> (usize, usize) {
-    let burst: BurstAddress = read(&ADDRESS_BITS, burst);
+fn extent(burst: &BurstAddress, origin: u32, beat_bytes: usize) -> (usize, usize) {
     let length = (usize::from(burst.length) + 1) * beat_bytes;
     let end = burst.address + (length - 1) as u32;
     assert_eq!((burst.burst, 1 << burst.size), (UP, beat_bytes), "{burst:x?}");
@@ -68,13 +67,13 @@ impl Reads {
     fn step(&mut self, bench: &Bench, origin: u32, memory: &[u8]) {
         self.data.taken(bench);
         let Some(burst) = self.address.taken(bench) else { return };
+        let burst: BurstAddress = read(&ADDRESS_BITS, &burst);
         let (place, length) = extent(&burst, origin, self.beat_bytes);
-        let id = read::<BurstAddress>(&ADDRESS_BITS, &burst).id;
         let beats = memory[place..place + length].chunks(self.beat_bytes);
         let last = beats.len() - 1;
         self.data.items.extend(beats.enumerate().map(|(beat, bytes)| {
             let end = [OKAY, u64::from(beat == last)];
-            std::iter::once(id.into()).chain(words(bytes)).chain(end).collect()
+            std::iter::once(burst.id.into()).chain(words(bytes)).chain(end).collect()
         }));
     }
 }
@@ -103,7 +102,8 @@ impl Writes {
 
     fn step(&mut self, bench: &Bench, origin: u32, memory: &mut [u8]) {
         self.answer.taken(bench);
-        self.bursts.extend(self.address.taken(bench).map(|burst| extent(&burst, origin, self.beat_bytes)));
+        let extent = |burst: Vec<u64>| extent(&read(&ADDRESS_BITS, &burst), origin, self.beat_bytes);
+        self.bursts.extend(self.address.taken(bench).map(extent));
         if let Some(beat) = self.data.taken(bench) {
             let &[.., strobes, last] = &beat[..] else { panic!("a beat has strobes") };
             assert_eq!(strobes.count_ones() as usize, self.beat_bytes, "all of a beat is written");
@@ -175,9 +175,11 @@ pub struct Around {
     pub memory_order: MemoryOrder,
 }
 
-/// Where the renderer's records lie, besides the reconstruction buffer.
+/// Where the renderer's records lie, from where memory begins on.
 #[derive(Clone, Copy)]
 pub struct Bases {
+    /// Its reconstruction buffer.
+    pub buffer: u32,
     /// Its payloads.
     pub payloads: u32,
     /// The depths that its fragments, or samples of what moves, are tested against.
@@ -217,15 +219,16 @@ pub fn around_renderer(config: &splat::Config, buffer_base: u32, memory_order: M
         memory: (depth_base + depth_bytes) as usize,
         memory_order,
     };
-    (around, Bases { payloads: payload_base, depths: depth_base })
+    (around, Bases { buffer: buffer_base, payloads: payload_base, depths: depth_base })
 }
 
-/// Tells the renderer where all but its buffer lies.
+/// Tells the renderer where all of that lies.
 pub fn place<I: Packet<Domain = Words, Config = splat::Config>, O: Packet<Domain = Words, Config = splat::Config>>(
     host: &mut Host<I, O>,
     config: &splat::Config,
     bases: Bases,
 ) {
+    host.write_base("buffer_base", bases.buffer);
     if config.has_payloads_in_memory() {
         host.write_base("payload_base", bases.payloads);
     }
