@@ -187,7 +187,7 @@ impl Synthesizer {
 /// A placed design with the router's settings among its own.
 fn with_settings(scope: Scope, design: &str) -> String {
     let settings: String =
-        routing_settings(scope).iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
+        routing_settings(scope).iter().map(|(key, value)| format!("\n\"{key}\": \"{value}\",")).collect();
     design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 
@@ -262,8 +262,10 @@ mod tests {
             r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#,
         );
         let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
-        let margin = design["a"]["settings"]["router2/bbMargin/x"].as_str().expect("it is a string of bits");
-        assert_eq!((u32::from_str_radix(margin, 2), &design["a"]["settings"]["seed"]), (Ok(10), &"1".into()));
+        let settings = &design["a"]["settings"];
+        // What could be a word of bits ends in a space.
+        assert_eq!([&settings["router2/bbMargin/x"], &settings["router2/histCongWeight"]], ["10 ", "1.5"]);
+        assert_eq!(settings["seed"], "1");
         assert_eq!(design["a"]["b"]["settings"], serde_json::json!({}));
     }
 

@@ -9,9 +9,16 @@ use std::fmt::Write as _;
 
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
-/// How many tiles a wire of a crowded core may leave the rectangle of its pins. With nextpnr's own three, the last hundred wires
-/// of a full device find no way around.
-const WIDE: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
+/// How a crowded core is routed. A wire may leave the rectangle of its pins by ten tiles: with nextpnr's own three, the last hundred
+/// wires of a full device find no way around. What a wire costs grows by what it was shared so far, and hardly by the round: with
+/// nextpnr's own weights more wires are shared in late rounds than before.
+const NEGOTIATED: &[(&str, &str)] = &[
+    ("router2/bbMargin/x", "10 "),
+    ("router2/bbMargin/y", "10 "),
+    ("router2/initCurrCongWeight", "2.0"),
+    ("router2/histCongWeight", "1.5"),
+    ("router2/currCongWeightMult", "0.3"),
+];
 
 /// The router that negotiates, and the one that nextpnr takes unless it is told.
 const NEGOTIATING: &str = "router2";
@@ -103,11 +110,12 @@ pub(super) fn with_other_router<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
     others
 }
 
-/// What the router has no argument for, as settings of a placed core.
-pub(super) const fn routing_settings(scope: Scope) -> &'static [(&'static str, u32)] {
+/// What the router has no argument for, as settings of a placed core, in nextpnr's writing: a number that could be a word of bits ends
+/// in a space.
+pub(super) const fn routing_settings(scope: Scope) -> &'static [(&'static str, &'static str)] {
     match scope {
         Scope::Unit | Scope::Core(Crowding::Roomy) => &[],
-        Scope::Core(Crowding::Crowded) => WIDE,
+        Scope::Core(Crowding::Crowded) => NEGOTIATED,
     }
 }
 
