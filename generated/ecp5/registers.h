@@ -77,8 +77,8 @@
 #define SPLAT_FLIPQUAD 0 /* two columns of samples a pixel, else one in its middle */
 #define SPLAT_TIME_BINS 0u /* columns that each sample has for parts of the exposure, none where nothing moves */
 #define SPLAT_TILE_SIZE 8u /* edge of a tile, in samples */
-#define SPLAT_BUFFER_BYTES 33554432u /* the reconstruction buffer */
-#define SPLAT_CONTINUOUS 13u /* attributes that are blended */
+#define SPLAT_BUFFER_BYTES 16777216u /* the reconstruction buffer */
+#define SPLAT_CONTINUOUS 6u /* attributes that are blended */
 #define SPLAT_CARDINAL 1u /* attributes that are selected */
 #define SPLAT_CULLING 1 /* splats that face away from the eye are not drawn */
 #define SPLAT_SCREEN_FILTER 1 /* splats cover `filter_radius` around their centre at least */
@@ -117,18 +117,11 @@ struct splat_splat {
     uint16_t attribute_3; /* 16 bits */
     uint16_t attribute_4; /* 16 bits */
     uint16_t attribute_5; /* 16 bits */
-    uint16_t attribute_6; /* 16 bits */
-    uint16_t attribute_7; /* 16 bits */
-    uint16_t attribute_8; /* 16 bits */
-    uint16_t attribute_9; /* 16 bits */
-    uint16_t attribute_10; /* 16 bits */
-    uint16_t attribute_11; /* 16 bits */
-    uint16_t attribute_12; /* 16 bits */
     uint16_t cardinal_0; /* 16 bits */
-    uint8_t padding_1[4];
+    uint8_t padding_1[2];
 };
-POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 72, "splat_splat takes 72 bytes");
-#define SPLAT_SPLAT_BYTES 72u
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 56, "splat_splat takes 56 bytes");
+#define SPLAT_SPLAT_BYTES 56u
 #define SPLAT_SPLAT_END_BITS 1u
 #define SPLAT_SPLAT_CENTER_X_BITS 24u
 #define SPLAT_SPLAT_CENTER_Y_BITS 24u
@@ -145,13 +138,6 @@ POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 72, "splat_splat takes 72 
 #define SPLAT_SPLAT_ATTRIBUTE_3_BITS 16u
 #define SPLAT_SPLAT_ATTRIBUTE_4_BITS 16u
 #define SPLAT_SPLAT_ATTRIBUTE_5_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_6_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_7_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_8_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_9_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_10_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_11_BITS 16u
-#define SPLAT_SPLAT_ATTRIBUTE_12_BITS 16u
 #define SPLAT_SPLAT_CARDINAL_0_BITS 16u
 
 /* A pixel of the picture, or with `end` set the end of the frame. */
@@ -168,17 +154,11 @@ struct splat_fragment {
     uint16_t attribute_3; /* 16 bits */
     uint16_t attribute_4; /* 16 bits */
     uint16_t attribute_5; /* 16 bits */
-    uint16_t attribute_6; /* 16 bits */
-    uint16_t attribute_7; /* 16 bits */
-    uint16_t attribute_8; /* 16 bits */
-    uint16_t attribute_9; /* 16 bits */
-    uint16_t attribute_10; /* 16 bits */
-    uint16_t attribute_11; /* 16 bits */
-    uint16_t attribute_12; /* 16 bits */
     uint16_t cardinal_0; /* 16 bits */
+    uint8_t padding_2[6];
 };
-POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 40, "splat_fragment takes 40 bytes");
-#define SPLAT_FRAGMENT_BYTES 40u
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 32, "splat_fragment takes 32 bytes");
+#define SPLAT_FRAGMENT_BYTES 32u
 #define SPLAT_FRAGMENT_END_BITS 1u
 #define SPLAT_FRAGMENT_COLUMN_BITS 9u
 #define SPLAT_FRAGMENT_ROW_BITS 9u
@@ -189,13 +169,6 @@ POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 40, "splat_fragment tak
 #define SPLAT_FRAGMENT_ATTRIBUTE_3_BITS 16u
 #define SPLAT_FRAGMENT_ATTRIBUTE_4_BITS 16u
 #define SPLAT_FRAGMENT_ATTRIBUTE_5_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_6_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_7_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_8_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_9_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_10_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_11_BITS 16u
-#define SPLAT_FRAGMENT_ATTRIBUTE_12_BITS 16u
 #define SPLAT_FRAGMENT_CARDINAL_0_BITS 16u
 
 /* A pixel of the reconstruction buffer, which only the core reads and writes. */
@@ -210,18 +183,10 @@ struct splat_pixel {
     uint16_t attribute_3; /* 16 bits */
     uint16_t attribute_4; /* 16 bits */
     uint16_t attribute_5; /* 16 bits */
-    uint16_t attribute_6; /* 16 bits */
-    uint16_t attribute_7; /* 16 bits */
-    uint16_t attribute_8; /* 16 bits */
-    uint16_t attribute_9; /* 16 bits */
-    uint16_t attribute_10; /* 16 bits */
-    uint16_t attribute_11; /* 16 bits */
-    uint16_t attribute_12; /* 16 bits */
     uint16_t cardinal_0; /* 16 bits */
-    uint8_t padding_1[18];
 };
-POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 64, "splat_pixel takes 64 bytes");
-#define SPLAT_PIXEL_BYTES 64u
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 32, "splat_pixel takes 32 bytes");
+#define SPLAT_PIXEL_BYTES 32u
 #define SPLAT_PIXEL_WEIGHT_BITS 28u
 #define SPLAT_PIXEL_DEPTH_BITS 52u
 #define SPLAT_PIXEL_PEAK_BITS 16u
@@ -231,13 +196,6 @@ POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 64, "splat_pixel takes 64 
 #define SPLAT_PIXEL_ATTRIBUTE_3_BITS 16u
 #define SPLAT_PIXEL_ATTRIBUTE_4_BITS 16u
 #define SPLAT_PIXEL_ATTRIBUTE_5_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_6_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_7_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_8_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_9_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_10_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_11_BITS 16u
-#define SPLAT_PIXEL_ATTRIBUTE_12_BITS 16u
 #define SPLAT_PIXEL_CARDINAL_0_BITS 16u
 
 #endif

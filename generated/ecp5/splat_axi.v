@@ -60,17 +60,13 @@ module splat_axi (
     wire [27:0] core_write_weight;
     wire [51:0] core_write_depth;
     wire [15:0] core_write_peak, core_write_attribute_0, core_write_attribute_1, core_write_attribute_2;
-    wire [15:0] core_write_attribute_3, core_write_attribute_4, core_write_attribute_5, core_write_attribute_6;
-    wire [15:0] core_write_attribute_7, core_write_attribute_8, core_write_attribute_9, core_write_attribute_10;
-    wire [15:0] core_write_attribute_11, core_write_attribute_12, core_write_cardinal_0;
+    wire [15:0] core_write_attribute_3, core_write_attribute_4, core_write_attribute_5, core_write_cardinal_0;
     wire core_fragment_valid, core_fragment_end;
     wire [8:0] core_fragment_column, core_fragment_row;
     wire [23:0] core_fragment_depth;
     wire [15:0] core_fragment_attribute_0, core_fragment_attribute_1, core_fragment_attribute_2;
     wire [15:0] core_fragment_attribute_3, core_fragment_attribute_4, core_fragment_attribute_5;
-    wire [15:0] core_fragment_attribute_6, core_fragment_attribute_7, core_fragment_attribute_8;
-    wire [15:0] core_fragment_attribute_9, core_fragment_attribute_10, core_fragment_attribute_11;
-    wire [15:0] core_fragment_attribute_12, core_fragment_cardinal_0;
+    wire [15:0] core_fragment_cardinal_0;
     wire core_event_sample, core_event_starved, core_event_blocked, core_event_accumulate, core_event_hazard;
     wire core_event_slot_wait, registers_busy, registers_start, registers_core_reset, registers_aborts;
     wire registers_uniform_valid;
@@ -82,9 +78,7 @@ module splat_axi (
     wire [23:0] splats_out_tangent1_y, splats_out_tangent1_z, splats_out_tangent2_x, splats_out_tangent2_y;
     wire [23:0] splats_out_tangent2_z;
     wire [15:0] splats_out_attribute_0, splats_out_attribute_1, splats_out_attribute_2, splats_out_attribute_3;
-    wire [15:0] splats_out_attribute_4, splats_out_attribute_5, splats_out_attribute_6, splats_out_attribute_7;
-    wire [15:0] splats_out_attribute_8, splats_out_attribute_9, splats_out_attribute_10, splats_out_attribute_11;
-    wire [15:0] splats_out_attribute_12, splats_out_cardinal_0;
+    wire [15:0] splats_out_attribute_4, splats_out_attribute_5, splats_out_cardinal_0;
     wire splats_taken, splats_refused, frames_uniform_valid;
     wire [4:0] frames_uniform_address;
     wire [23:0] frames_uniform_data;
@@ -93,42 +87,32 @@ module splat_axi (
     wire [27:0] reads_record_weight;
     wire [51:0] reads_record_depth;
     wire [15:0] reads_record_peak, reads_record_attribute_0, reads_record_attribute_1, reads_record_attribute_2;
-    wire [15:0] reads_record_attribute_3, reads_record_attribute_4, reads_record_attribute_5;
-    wire [15:0] reads_record_attribute_6, reads_record_attribute_7, reads_record_attribute_8;
-    wire [15:0] reads_record_attribute_9, reads_record_attribute_10, reads_record_attribute_11;
-    wire [15:0] reads_record_attribute_12, reads_record_cardinal_0;
+    wire [15:0] reads_record_attribute_3, reads_record_attribute_4, reads_record_attribute_5, reads_record_cardinal_0;
     wire reads_error, reads_misplaced, writes_in_ready, writes_error, writes_idle, early_end_aborts;
     wire early_end_ended, pixels_in_ready, pixels_out_valid;
-    wire [319:0] pixels_out_data;
+    wire [207:0] pixels_out_data;
 
     wire reads_run = reads_request_ready & writes_idle;
     wire run_fits = pixels_held < 8'd121;
     wire core_read_ready = reads_run & run_fits;
-    wire [27:0] pixels_out_weight = pixels_out_data[319:292];
-    wire [51:0] pixels_out_depth = pixels_out_data[291:240];
-    wire [15:0] pixels_out_peak = pixels_out_data[239:224];
-    wire [15:0] pixels_out_attribute_0 = pixels_out_data[223:208];
-    wire [15:0] pixels_out_attribute_1 = pixels_out_data[207:192];
-    wire [15:0] pixels_out_attribute_2 = pixels_out_data[191:176];
-    wire [15:0] pixels_out_attribute_3 = pixels_out_data[175:160];
-    wire [15:0] pixels_out_attribute_4 = pixels_out_data[159:144];
-    wire [15:0] pixels_out_attribute_5 = pixels_out_data[143:128];
-    wire [15:0] pixels_out_attribute_6 = pixels_out_data[127:112];
-    wire [15:0] pixels_out_attribute_7 = pixels_out_data[111:96];
-    wire [15:0] pixels_out_attribute_8 = pixels_out_data[95:80];
-    wire [15:0] pixels_out_attribute_9 = pixels_out_data[79:64];
-    wire [15:0] pixels_out_attribute_10 = pixels_out_data[63:48];
-    wire [15:0] pixels_out_attribute_11 = pixels_out_data[47:32];
-    wire [15:0] pixels_out_attribute_12 = pixels_out_data[31:16];
+    wire [27:0] pixels_out_weight = pixels_out_data[207:180];
+    wire [51:0] pixels_out_depth = pixels_out_data[179:128];
+    wire [15:0] pixels_out_peak = pixels_out_data[127:112];
+    wire [15:0] pixels_out_attribute_0 = pixels_out_data[111:96];
+    wire [15:0] pixels_out_attribute_1 = pixels_out_data[95:80];
+    wire [15:0] pixels_out_attribute_2 = pixels_out_data[79:64];
+    wire [15:0] pixels_out_attribute_3 = pixels_out_data[63:48];
+    wire [15:0] pixels_out_attribute_4 = pixels_out_data[47:32];
+    wire [15:0] pixels_out_attribute_5 = pixels_out_data[31:16];
     wire [15:0] pixels_out_cardinal_0 = pixels_out_data[15:0];
     wire core_read_valid_and_run_fits = core_read_valid & run_fits;
     wire no_read = ~core_read_valid_and_run_fits;
     wire core_write_ready = writes_in_ready & no_read;
     wire is_idle = fragments_idle & writes_idle;
     wire rst_or_early_end_aborts = rst | early_end_aborts;
-    wire [31:0] run_address = registers_buffer_base + {7'd0, core_read_surface, core_read_tile, core_read_pixel, 6'd0};
+    wire [31:0] run_address = registers_buffer_base + {8'd0, core_read_surface, core_read_tile, core_read_pixel, 5'd0};
     wire reads_record_ready = pixels_in_ready | early_end_aborts;
-    wire [31:0] pixel_address_bits = {7'd0, core_write_surface, core_write_tile, core_write_pixel, 6'd0};
+    wire [31:0] pixel_address_bits = {8'd0, core_write_surface, core_write_tile, core_write_pixel, 5'd0};
     wire [31:0] pixel_address = registers_buffer_base + pixel_address_bits;
     wire quiet = is_idle & (pixels_awaited == 8'd0);
     wire run_begins = core_read_valid & core_read_ready;
@@ -147,11 +131,7 @@ module splat_axi (
         .splat_tangent2_z(splats_out_tangent2_z), .splat_attribute_0(splats_out_attribute_0),
         .splat_attribute_1(splats_out_attribute_1), .splat_attribute_2(splats_out_attribute_2),
         .splat_attribute_3(splats_out_attribute_3), .splat_attribute_4(splats_out_attribute_4),
-        .splat_attribute_5(splats_out_attribute_5), .splat_attribute_6(splats_out_attribute_6),
-        .splat_attribute_7(splats_out_attribute_7), .splat_attribute_8(splats_out_attribute_8),
-        .splat_attribute_9(splats_out_attribute_9), .splat_attribute_10(splats_out_attribute_10),
-        .splat_attribute_11(splats_out_attribute_11), .splat_attribute_12(splats_out_attribute_12),
-        .splat_cardinal_0(splats_out_cardinal_0),
+        .splat_attribute_5(splats_out_attribute_5), .splat_cardinal_0(splats_out_cardinal_0),
         .frame_set_up(core_frame_set_up),
         .read_valid(core_read_valid), .read_ready(core_read_ready), .read_surface(core_read_surface),
         .read_tile(core_read_tile), .read_pixel(core_read_pixel), .read_count(core_read_count),
@@ -159,32 +139,21 @@ module splat_axi (
         .data_depth(pixels_out_depth), .data_peak(pixels_out_peak), .data_attribute_0(pixels_out_attribute_0),
         .data_attribute_1(pixels_out_attribute_1), .data_attribute_2(pixels_out_attribute_2),
         .data_attribute_3(pixels_out_attribute_3), .data_attribute_4(pixels_out_attribute_4),
-        .data_attribute_5(pixels_out_attribute_5), .data_attribute_6(pixels_out_attribute_6),
-        .data_attribute_7(pixels_out_attribute_7), .data_attribute_8(pixels_out_attribute_8),
-        .data_attribute_9(pixels_out_attribute_9), .data_attribute_10(pixels_out_attribute_10),
-        .data_attribute_11(pixels_out_attribute_11), .data_attribute_12(pixels_out_attribute_12),
-        .data_cardinal_0(pixels_out_cardinal_0),
+        .data_attribute_5(pixels_out_attribute_5), .data_cardinal_0(pixels_out_cardinal_0),
         .write_valid(core_write_valid), .write_ready(core_write_ready), .write_surface(core_write_surface),
         .write_tile(core_write_tile), .write_pixel(core_write_pixel), .write_weight(core_write_weight),
         .write_depth(core_write_depth), .write_peak(core_write_peak),
         .write_attribute_0(core_write_attribute_0), .write_attribute_1(core_write_attribute_1),
         .write_attribute_2(core_write_attribute_2), .write_attribute_3(core_write_attribute_3),
         .write_attribute_4(core_write_attribute_4), .write_attribute_5(core_write_attribute_5),
-        .write_attribute_6(core_write_attribute_6), .write_attribute_7(core_write_attribute_7),
-        .write_attribute_8(core_write_attribute_8), .write_attribute_9(core_write_attribute_9),
-        .write_attribute_10(core_write_attribute_10), .write_attribute_11(core_write_attribute_11),
-        .write_attribute_12(core_write_attribute_12), .write_cardinal_0(core_write_cardinal_0),
+        .write_cardinal_0(core_write_cardinal_0),
         .fragment_valid(core_fragment_valid), .fragment_ready(fragments_in_ready),
         .fragment_end(core_fragment_end), .fragment_column(core_fragment_column),
         .fragment_row(core_fragment_row), .fragment_depth(core_fragment_depth),
         .fragment_attribute_0(core_fragment_attribute_0), .fragment_attribute_1(core_fragment_attribute_1),
         .fragment_attribute_2(core_fragment_attribute_2), .fragment_attribute_3(core_fragment_attribute_3),
         .fragment_attribute_4(core_fragment_attribute_4), .fragment_attribute_5(core_fragment_attribute_5),
-        .fragment_attribute_6(core_fragment_attribute_6), .fragment_attribute_7(core_fragment_attribute_7),
-        .fragment_attribute_8(core_fragment_attribute_8), .fragment_attribute_9(core_fragment_attribute_9),
-        .fragment_attribute_10(core_fragment_attribute_10),
-        .fragment_attribute_11(core_fragment_attribute_11),
-        .fragment_attribute_12(core_fragment_attribute_12), .fragment_cardinal_0(core_fragment_cardinal_0),
+        .fragment_cardinal_0(core_fragment_cardinal_0),
         .event_sample(core_event_sample), .event_starved(core_event_starved),
         .event_blocked(core_event_blocked), .event_accumulate(core_event_accumulate),
         .event_hazard(core_event_hazard), .event_slot_wait(core_event_slot_wait)
@@ -225,11 +194,7 @@ module splat_axi (
         .out_tangent2_z(splats_out_tangent2_z), .out_attribute_0(splats_out_attribute_0),
         .out_attribute_1(splats_out_attribute_1), .out_attribute_2(splats_out_attribute_2),
         .out_attribute_3(splats_out_attribute_3), .out_attribute_4(splats_out_attribute_4),
-        .out_attribute_5(splats_out_attribute_5), .out_attribute_6(splats_out_attribute_6),
-        .out_attribute_7(splats_out_attribute_7), .out_attribute_8(splats_out_attribute_8),
-        .out_attribute_9(splats_out_attribute_9), .out_attribute_10(splats_out_attribute_10),
-        .out_attribute_11(splats_out_attribute_11), .out_attribute_12(splats_out_attribute_12),
-        .out_cardinal_0(splats_out_cardinal_0),
+        .out_attribute_5(splats_out_attribute_5), .out_cardinal_0(splats_out_cardinal_0),
         .taken(splats_taken), .refused(splats_refused)
     );
 
@@ -249,11 +214,7 @@ module splat_axi (
         .in_depth(core_fragment_depth), .in_attribute_0(core_fragment_attribute_0),
         .in_attribute_1(core_fragment_attribute_1), .in_attribute_2(core_fragment_attribute_2),
         .in_attribute_3(core_fragment_attribute_3), .in_attribute_4(core_fragment_attribute_4),
-        .in_attribute_5(core_fragment_attribute_5), .in_attribute_6(core_fragment_attribute_6),
-        .in_attribute_7(core_fragment_attribute_7), .in_attribute_8(core_fragment_attribute_8),
-        .in_attribute_9(core_fragment_attribute_9), .in_attribute_10(core_fragment_attribute_10),
-        .in_attribute_11(core_fragment_attribute_11), .in_attribute_12(core_fragment_attribute_12),
-        .in_cardinal_0(core_fragment_cardinal_0),
+        .in_attribute_5(core_fragment_attribute_5), .in_cardinal_0(core_fragment_cardinal_0),
         .m_axis_tvalid(m_axis_fragment_tvalid), .m_axis_tready(m_axis_fragment_tready),
         .m_axis_tdata(m_axis_fragment_tdata), .m_axis_tlast(m_axis_fragment_tlast),
         .sent(fragments_sent), .idle(fragments_idle)
@@ -272,11 +233,7 @@ module splat_axi (
         .record_peak(reads_record_peak), .record_attribute_0(reads_record_attribute_0),
         .record_attribute_1(reads_record_attribute_1), .record_attribute_2(reads_record_attribute_2),
         .record_attribute_3(reads_record_attribute_3), .record_attribute_4(reads_record_attribute_4),
-        .record_attribute_5(reads_record_attribute_5), .record_attribute_6(reads_record_attribute_6),
-        .record_attribute_7(reads_record_attribute_7), .record_attribute_8(reads_record_attribute_8),
-        .record_attribute_9(reads_record_attribute_9), .record_attribute_10(reads_record_attribute_10),
-        .record_attribute_11(reads_record_attribute_11), .record_attribute_12(reads_record_attribute_12),
-        .record_cardinal_0(reads_record_cardinal_0),
+        .record_attribute_5(reads_record_attribute_5), .record_cardinal_0(reads_record_cardinal_0),
         .error(reads_error), .misplaced(reads_misplaced)
     );
 
@@ -286,11 +243,7 @@ module splat_axi (
         .in_peak(core_write_peak), .in_attribute_0(core_write_attribute_0),
         .in_attribute_1(core_write_attribute_1), .in_attribute_2(core_write_attribute_2),
         .in_attribute_3(core_write_attribute_3), .in_attribute_4(core_write_attribute_4),
-        .in_attribute_5(core_write_attribute_5), .in_attribute_6(core_write_attribute_6),
-        .in_attribute_7(core_write_attribute_7), .in_attribute_8(core_write_attribute_8),
-        .in_attribute_9(core_write_attribute_9), .in_attribute_10(core_write_attribute_10),
-        .in_attribute_11(core_write_attribute_11), .in_attribute_12(core_write_attribute_12),
-        .in_cardinal_0(core_write_cardinal_0),
+        .in_attribute_5(core_write_attribute_5), .in_cardinal_0(core_write_cardinal_0),
         .m_axi_awvalid(m_axi_awvalid), .m_axi_awready(m_axi_awready), .m_axi_awid(m_axi_awid),
         .m_axi_awaddr(m_axi_awaddr), .m_axi_awlen(m_axi_awlen), .m_axi_awsize(m_axi_awsize),
         .m_axi_awburst(m_axi_awburst), .m_axi_wvalid(m_axi_wvalid), .m_axi_wready(m_axi_wready),
@@ -305,15 +258,12 @@ module splat_axi (
         .aborts(early_end_aborts), .ended(early_end_ended)
     );
 
-    stream_fifo_d128_w320 pixels (
+    stream_fifo_d128_w208 pixels (
         .clk(clk), .rst(rst_or_early_end_aborts), .in_valid(reads_record_valid), .in_ready(pixels_in_ready),
         .in_data({
             reads_record_weight, reads_record_depth, reads_record_peak, reads_record_attribute_0,
             reads_record_attribute_1, reads_record_attribute_2, reads_record_attribute_3,
-            reads_record_attribute_4, reads_record_attribute_5, reads_record_attribute_6,
-            reads_record_attribute_7, reads_record_attribute_8, reads_record_attribute_9,
-            reads_record_attribute_10, reads_record_attribute_11, reads_record_attribute_12,
-            reads_record_cardinal_0
+            reads_record_attribute_4, reads_record_attribute_5, reads_record_cardinal_0
         }),
         .out_valid(pixels_out_valid), .out_ready(core_data_ready), .out_data(pixels_out_data)
     );
@@ -331,15 +281,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 128
-// width = 320
-module stream_fifo_d128_w320 (
+// width = 208
+module stream_fifo_d128_w208 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [319:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [319:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [207:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [207:0] out_data
 );
     reg [7:0] held, waiting;
     reg [6:0] write_address, read_address;
-    wire [319:0] item;
+    wire [207:0] item;
 
     wire has_room = ~held[7];
     wire push = in_valid & has_room;
@@ -349,7 +299,7 @@ module stream_fifo_d128_w320 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(128)) entries (
+    memory_1w1r_unordered #(.WIDTH(208), .DEPTH(128)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -416,7 +366,7 @@ module bus_abort (
 endmodule
 
 // Writes records to memory, each in a burst.
-// beats = 8
+// beats = 4
 // width = 64
 module bus_writer (
     input  wire clk, input wire rst,
@@ -431,13 +381,6 @@ module bus_writer (
     input  wire [15:0] in_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire m_axi_awvalid, input wire m_axi_awready,  // Bursts to be written.
     output wire [3:0] m_axi_awid,  // The burst's identifier, which its answers bear.
@@ -457,38 +400,33 @@ module bus_writer (
 );
     reg [4:0] unanswered;
     reg held;
-    reg [2:0] place;
+    reg [1:0] place;
     reg [27:0] held_weight;
     reg [51:0] held_depth;
     reg [15:0] held_peak, held_attribute_0, held_attribute_1, held_attribute_2, held_attribute_3, held_attribute_4;
-    reg [15:0] held_attribute_5, held_attribute_6, held_attribute_7, held_attribute_8, held_attribute_9;
-    reg [15:0] held_attribute_10, held_attribute_11, held_attribute_12, held_cardinal_0;
+    reg [15:0] held_attribute_5, held_cardinal_0;
 
     wire address_queue_in_ready;
-    wire [33:0] address_queue_out_data;
+    wire [34:0] address_queue_out_data;
     wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
-    wire at_end = place == 3'd7;
+    wire at_end = place == 2'd3;
     wire leaves = moves & at_end;
     wire below_limit = ~(unanswered == 5'd16);
     wire accepts = address_queue_in_ready & below_limit;
     wire takes_record = (~held | leaves) & accepts;
-    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
+    wire [26:0] address_queue_out_address = address_queue_out_data[34:8];
     wire takes = in_valid & takes_record;
     wire accepted = takes;
-    wire [63:0] beat_queue_in_data_bits = {held_attribute_10, held_attribute_9, held_attribute_8, held_attribute_7};
-    wire [63:0] beat_queue_in_data_choice = place[0] ? {16'd0, held_cardinal_0, held_attribute_12, held_attribute_11} : beat_queue_in_data_bits;
-    wire [63:0] beat_queue_in_data_choice_2 = place[1] ? (place[0] ? 64'd0 : 64'd0) : beat_queue_in_data_choice;
-    wire [63:0] beat_queue_in_data_bits_2 = {held_attribute_6, held_attribute_5, held_attribute_4, held_attribute_3};
-    wire [63:0] beat_queue_in_data_bits_3 = {held_attribute_2, held_attribute_1, held_attribute_0, held_peak};
-    wire [63:0] beat_queue_in_data_choice_3 = place[1] ? (place[0] ? beat_queue_in_data_bits_2 : beat_queue_in_data_bits_3) : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
-    wire [63:0] beat_queue_in_data_choice_4 = place[2] ? beat_queue_in_data_choice_2 : beat_queue_in_data_choice_3;
+    wire [63:0] beat_queue_in_data_bits = {held_cardinal_0, held_attribute_5, held_attribute_4, held_attribute_3};
+    wire [63:0] beat_queue_in_data_bits_2 = {held_attribute_2, held_attribute_1, held_attribute_0, held_peak};
+    wire [63:0] beat_queue_in_data_choice = place[1] ? (place[0] ? beat_queue_in_data_bits : beat_queue_in_data_bits_2) : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
 
     assign in_ready = takes_record;
     assign m_axi_awid = 4'd0;
-    assign m_axi_awaddr = {address_queue_out_address, 6'd0};
+    assign m_axi_awaddr = {address_queue_out_address, 5'd0};
     assign m_axi_awlen = address_queue_out_data[7:0];
     assign m_axi_awsize = 3'd3;
     assign m_axi_awburst = 2'd1;
@@ -498,15 +436,15 @@ module bus_writer (
     assign m_axi_bready = 1'd1;
     assign idle = unanswered == 5'd0;
 
-    stream_skid_w34 address_queue (
+    stream_skid_w35 address_queue (
         .clk(clk), .rst(rst), .in_valid(accepted), .in_ready(address_queue_in_ready),
-        .in_data({in_address[31:6], 8'd7}),
+        .in_data({in_address[31:5], 8'd3}),
         .out_valid(m_axi_awvalid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
-        .in_data({beat_queue_in_data_choice_4, at_end}),
+        .in_data({beat_queue_in_data_choice, at_end}),
         .out_valid(m_axi_wvalid), .out_ready(m_axi_wready), .out_data(beat_queue_out_data)
     );
 
@@ -514,13 +452,13 @@ module bus_writer (
         if (rst) begin
             unanswered <= 5'd0;
             held <= 1'd0;
-            place <= 3'd0;
+            place <= 2'd0;
             error <= 1'd0;
         end else begin
             unanswered <= (unanswered + {4'd0, accepted}) - {4'd0, m_axi_bvalid};
             held <= takes | (held & ~leaves);
             error <= m_axi_bvalid & |m_axi_bresp;
-            if (moves) place <= at_end ? 3'd0 : (place + 3'd1);
+            if (moves) place <= at_end ? 2'd0 : (place + 2'd1);
         end
     end
     always @(posedge clk) begin
@@ -534,22 +472,15 @@ module bus_writer (
             held_attribute_3 <= in_attribute_3;
             held_attribute_4 <= in_attribute_4;
             held_attribute_5 <= in_attribute_5;
-            held_attribute_6 <= in_attribute_6;
-            held_attribute_7 <= in_attribute_7;
-            held_attribute_8 <= in_attribute_8;
-            held_attribute_9 <= in_attribute_9;
-            held_attribute_10 <= in_attribute_10;
-            held_attribute_11 <= in_attribute_11;
-            held_attribute_12 <= in_attribute_12;
             held_cardinal_0 <= in_cardinal_0;
         end
     end
 
-    wire _unused = &{1'b0, in_address[5:0], m_axi_bid};
+    wire _unused = &{1'b0, in_address[4:0], m_axi_bid};
 endmodule
 
 // Reads records from memory in bursts.
-// beats = 8
+// beats = 4
 // width = 64
 // records = 8
 module bus_reader (
@@ -578,42 +509,34 @@ module bus_reader (
     output wire [15:0] record_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] record_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] record_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] record_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] record_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  error,  // An answer was none of success.
     output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
 );
     reg held;
-    reg [25:0] address;
+    reg [26:0] address;
     reg [3:0] records;
     reg [7:0] number;
     reg [27:0] held_weight_0;
     reg [51:0] held_depth_0;
     reg [15:0] held_peak_0, held_attribute_0_0, held_attribute_1_0, held_attribute_2_0, held_attribute_3_0;
-    reg [15:0] held_attribute_4_0, held_attribute_5_0, held_attribute_6_0, held_attribute_7_0, held_attribute_8_0;
-    reg [15:0] held_attribute_9_0, held_attribute_10_0, held_attribute_11_0, held_attribute_12_0, held_cardinal_0_0;
+    reg [15:0] held_attribute_4_0, held_attribute_5_0, held_cardinal_0_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
-    wire [33:0] address_queue_out_data;
+    wire [34:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
     wire [7:0] length_queue_out_data;
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
-    wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
-    wire crosses = room_records < {2'd0, records};
+    wire [6:0] room_records = 7'd64 - {1'd0, address[5:0]};
+    wire crosses = room_records < {3'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
-    wire [5:0] burst = crosses ? room_records : {2'd0, records};
-    wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
+    wire [26:0] address_queue_out_address = address_queue_out_data[34:8];
+    wire [6:0] burst = crosses ? room_records : {3'd0, records};
+    wire [8:0] length_difference = {burst, 2'd0} - 9'd1;
     wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
@@ -621,19 +544,17 @@ module bus_reader (
     wire length_queue_out_ready = moves & ends;
     wire beat_queue_out_ready = advance | ~length_queue_out_valid;
     wire takes_request_or_issues = takes_request | issues;
-    wire [5:0] records_minus_room_records = {2'd0, records} - room_records;
-    wire takes_beat_0 = moves & (number[2:0] == 3'd0);
-    wire takes_beat_1 = moves & (number[2:0] == 3'd1);
-    wire takes_beat_2 = moves & (number[2:0] == 3'd2);
-    wire takes_beat_3 = moves & (number[2:0] == 3'd3);
-    wire takes_beat_4 = moves & (number[2:0] == 3'd4);
-    wire takes_beat_5 = moves & (number[2:0] == 3'd5);
+    wire [6:0] records_minus_room_records = {3'd0, records} - room_records;
+    wire takes_beat_3 = moves & (number[1:0] == 2'd3);
+    wire takes_beat_0 = moves & (number[1:0] == 2'd0);
+    wire takes_beat_1 = moves & (number[1:0] == 2'd1);
+    wire takes_beat_2 = moves & (number[1:0] == 2'd2);
     wire beat_queue_out_last = beat_queue_out_data[0];
     wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
     assign m_axi_arid = 4'd0;
-    assign m_axi_araddr = {address_queue_out_address, 6'd0};
+    assign m_axi_araddr = {address_queue_out_address, 5'd0};
     assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
@@ -646,16 +567,9 @@ module bus_reader (
     assign record_attribute_3 = held_attribute_3_0;
     assign record_attribute_4 = held_attribute_4_0;
     assign record_attribute_5 = held_attribute_5_0;
-    assign record_attribute_6 = held_attribute_6_0;
-    assign record_attribute_7 = held_attribute_7_0;
-    assign record_attribute_8 = held_attribute_8_0;
-    assign record_attribute_9 = held_attribute_9_0;
-    assign record_attribute_10 = held_attribute_10_0;
-    assign record_attribute_11 = held_attribute_11_0;
-    assign record_attribute_12 = held_attribute_12_0;
     assign record_cardinal_0 = held_cardinal_0_0;
 
-    stream_skid_w34 address_queue (
+    stream_skid_w35 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
         .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
@@ -683,7 +597,7 @@ module bus_reader (
             misplaced <= 1'd0;
         end else begin
             if (takes_request) held <= request_valid;
-            if (advance) record_valid <= moves & (number[2:0] == 3'd7);
+            if (advance) record_valid <= takes_beat_3;
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
@@ -694,7 +608,7 @@ module bus_reader (
     end
     always @(posedge clk) begin
         if (takes_request_or_issues) begin
-            address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
+            address <= takes_request ? request_address[31:5] : {address[26:6] + 21'd1, 6'd0};
             records <= takes_request ? request_records : records_minus_room_records[3:0];
         end
         if (takes_beat_0) held_weight_0 <= beat_queue_out_data[28:1];
@@ -709,34 +623,23 @@ module bus_reader (
             held_attribute_3_0 <= beat_queue_out_data[16:1];
             held_attribute_4_0 <= beat_queue_out_data[32:17];
             held_attribute_5_0 <= beat_queue_out_data[48:33];
-            held_attribute_6_0 <= beat_queue_out_data[64:49];
-        end
-        if (takes_beat_4) begin
-            held_attribute_7_0 <= beat_queue_out_data[16:1];
-            held_attribute_8_0 <= beat_queue_out_data[32:17];
-            held_attribute_9_0 <= beat_queue_out_data[48:33];
-            held_attribute_10_0 <= beat_queue_out_data[64:49];
-        end
-        if (takes_beat_5) begin
-            held_attribute_11_0 <= beat_queue_out_data[16:1];
-            held_attribute_12_0 <= beat_queue_out_data[32:17];
-            held_cardinal_0_0 <= beat_queue_out_data[48:33];
+            held_cardinal_0_0 <= beat_queue_out_data[64:49];
         end
     end
 
-    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:4], request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[6:4], request_address[4:0]};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         a_request_is_for_some_and_no_more_than_any_may_be: assert (~request_valid | (|request_records & ~(4'd8 < request_records)));
-        no_burst_is_longer_than_any_may_be: assert (~length_queue_out_valid | (length_queue_out_data < 8'd64));
+        no_burst_is_longer_than_any_may_be: assert (~length_queue_out_valid | (length_queue_out_data < 8'd32));
         no_burst_is_longer_than_asked_for: assert (~length_queue_out_valid | ~(length_queue_out_data < number));
 `else
         if (!(~request_valid | (|request_records & ~(4'd8 < request_records)))) begin
             $display("assertion failed: a_request_is_for_some_and_no_more_than_any_may_be in %m"); $stop;
         end
-        if (!(~length_queue_out_valid | (length_queue_out_data < 8'd64))) begin
+        if (!(~length_queue_out_valid | (length_queue_out_data < 8'd32))) begin
             $display("assertion failed: no_burst_is_longer_than_any_may_be in %m"); $stop;
         end
         if (!(~length_queue_out_valid | ~(length_queue_out_data < number))) begin
@@ -804,14 +707,14 @@ module stream_fifo_d16_w8 (
 endmodule
 
 // Queue of two in registers.
-// width = 34
-module stream_skid_w34 (
+// width = 35
+module stream_skid_w35 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [34:0] out_data
 );
     reg second_valid;
-    reg [33:0] head, second;
+    reg [34:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -847,7 +750,7 @@ module stream_skid_w34 (
 endmodule
 
 // Spreads records over the beats of packets.
-// beats = 5
+// beats = 4
 // width = 64
 module bus_packet_out (
     input  wire clk, input wire rst,
@@ -862,13 +765,6 @@ module bus_packet_out (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     output wire m_axis_tvalid, input wire m_axis_tready,  // Beats of packets.
     output wire [63:0] m_axis_tdata,  // Its bytes.
@@ -877,26 +773,23 @@ module bus_packet_out (
     output wire idle  // Nothing is on its way.
 );
     reg held;
-    reg [2:0] place;
+    reg [1:0] place;
     reg held_end;
     reg [8:0] held_column, held_row;
     reg [23:0] held_depth;
     reg [15:0] held_attribute_0, held_attribute_1, held_attribute_2, held_attribute_3, held_attribute_4;
-    reg [15:0] held_attribute_5, held_attribute_6, held_attribute_7, held_attribute_8, held_attribute_9;
-    reg [15:0] held_attribute_10, held_attribute_11, held_attribute_12, held_cardinal_0;
+    reg [15:0] held_attribute_5, held_cardinal_0;
 
     wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
-    wire at_end = place == 3'd4;
+    wire at_end = place == 2'd3;
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
-    wire [63:0] beat_queue_in_data_bits = {held_cardinal_0, held_attribute_12, held_attribute_11, held_attribute_10};
-    wire [63:0] beat_queue_in_data_bits_2 = {held_attribute_9, held_attribute_8, held_attribute_7, held_attribute_6};
-    wire [63:0] beat_queue_in_data_bits_3 = {held_attribute_5, held_attribute_4, held_attribute_3, held_attribute_2};
+    wire [63:0] beat_queue_in_data_bits = {held_attribute_5, held_attribute_4, held_attribute_3, held_attribute_2};
     wire [63:0] beat_queue_in_data_choice = place[0] ? {held_attribute_1, held_attribute_0, 8'd0, held_depth} : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
-    wire [63:0] beat_queue_in_data_choice_2 = place[1] ? (place[0] ? beat_queue_in_data_bits_2 : beat_queue_in_data_bits_3) : beat_queue_in_data_choice;
+    wire [63:0] beat_queue_in_data_choice_2 = place[1] ? (place[0] ? {48'd0, held_cardinal_0} : beat_queue_in_data_bits) : beat_queue_in_data_choice;
     wire takes = in_valid & takes_record;
     wire beat_queue_out_last = beat_queue_out_data[0];
 
@@ -906,19 +799,19 @@ module bus_packet_out (
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
-        .in_data({place[2] ? beat_queue_in_data_bits : beat_queue_in_data_choice_2, at_end}),
+        .in_data({beat_queue_in_data_choice_2, at_end}),
         .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             held <= 1'd0;
-            place <= 3'd0;
+            place <= 2'd0;
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
             sent <= m_axis_tvalid & m_axis_tready & beat_queue_out_last;
-            if (moves) place <= at_end ? 3'd0 : (place + 3'd1);
+            if (moves) place <= at_end ? 2'd0 : (place + 2'd1);
         end
     end
     always @(posedge clk) begin
@@ -933,13 +826,6 @@ module bus_packet_out (
             held_attribute_3 <= in_attribute_3;
             held_attribute_4 <= in_attribute_4;
             held_attribute_5 <= in_attribute_5;
-            held_attribute_6 <= in_attribute_6;
-            held_attribute_7 <= in_attribute_7;
-            held_attribute_8 <= in_attribute_8;
-            held_attribute_9 <= in_attribute_9;
-            held_attribute_10 <= in_attribute_10;
-            held_attribute_11 <= in_attribute_11;
-            held_attribute_12 <= in_attribute_12;
             held_cardinal_0 <= in_cardinal_0;
         end
     end
@@ -1049,7 +935,7 @@ module bus_frames (
 endmodule
 
 // Gathers the beats of packets into records.
-// beats = 9
+// beats = 7
 // width = 64
 module bus_packet_in (
     input  wire clk, input wire rst,
@@ -1074,46 +960,36 @@ module bus_packet_in (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0,  // Attributes.
     output reg  taken,  // A packet was taken.
     output reg  refused  // A packet was refused.
 );
-    reg [3:0] place;
+    reg [2:0] place;
     reg is_overlong, begun, ends, is_open, held_end_0;
     reg [23:0] held_center_x_0, held_center_y_0, held_center_z_0, held_tangent1_x_0, held_tangent1_y_0;
     reg [23:0] held_tangent1_z_0, held_tangent2_x_0, held_tangent2_y_0, held_tangent2_z_0;
     reg [15:0] held_attribute_0_0, held_attribute_1_0, held_attribute_2_0, held_attribute_3_0, held_attribute_4_0;
-    reg [15:0] held_attribute_5_0, held_attribute_6_0, held_attribute_7_0, held_attribute_8_0, held_attribute_9_0;
-    reg [15:0] held_attribute_10_0, held_attribute_11_0, held_attribute_12_0, held_cardinal_0_0;
+    reg [15:0] held_attribute_5_0, held_cardinal_0_0;
 
     wire beat_queue_in_ready, beat_queue_out_valid;
-    wire [68:0] beat_queue_out_data;
+    wire [67:0] beat_queue_out_data;
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
     wire takes_and_not_is_overlong = takes & ~is_overlong;
-    wire place_is_8 = place == 4'd8;
-    wire whole = takes & (s_axis_tlast & (place_is_8 & ~is_overlong));
+    wire place_is_6 = place == 3'd6;
+    wire whole = takes & (s_axis_tlast & (place_is_6 & ~is_overlong));
     wire advance = ~out_valid | out_ready;
-    wire beat_queue_out_good = beat_queue_out_data[68];
+    wire beat_queue_out_good = beat_queue_out_data[67];
     wire moves = beat_queue_out_valid & advance;
-    wire [3:0] beat_queue_out_place = beat_queue_out_data[3:0];
-    wire takes_beat_0 = moves & (beat_queue_out_place == 4'd0);
-    wire takes_beat_1 = moves & (beat_queue_out_place == 4'd1);
-    wire takes_beat_2 = moves & (beat_queue_out_place == 4'd2);
-    wire takes_beat_3 = moves & (beat_queue_out_place == 4'd3);
-    wire takes_beat_4 = moves & (beat_queue_out_place == 4'd4);
-    wire takes_beat_5 = moves & (beat_queue_out_place == 4'd5);
-    wire takes_beat_6 = moves & (beat_queue_out_place == 4'd6);
-    wire takes_beat_7 = moves & (beat_queue_out_place == 4'd7);
-    wire takes_beat_8 = moves & (beat_queue_out_place == 4'd8);
+    wire [2:0] beat_queue_out_place = beat_queue_out_data[2:0];
+    wire takes_beat_0 = moves & (beat_queue_out_place == 3'd0);
+    wire takes_beat_1 = moves & (beat_queue_out_place == 3'd1);
+    wire takes_beat_2 = moves & (beat_queue_out_place == 3'd2);
+    wire takes_beat_3 = moves & (beat_queue_out_place == 3'd3);
+    wire takes_beat_4 = moves & (beat_queue_out_place == 3'd4);
+    wire takes_beat_5 = moves & (beat_queue_out_place == 3'd5);
+    wire takes_beat_6 = moves & (beat_queue_out_place == 3'd6);
 
     assign s_axis_tready = s_axis_ready;
     assign out_end = held_end_0;
@@ -1132,16 +1008,9 @@ module bus_packet_in (
     assign out_attribute_3 = held_attribute_3_0;
     assign out_attribute_4 = held_attribute_4_0;
     assign out_attribute_5 = held_attribute_5_0;
-    assign out_attribute_6 = held_attribute_6_0;
-    assign out_attribute_7 = held_attribute_7_0;
-    assign out_attribute_8 = held_attribute_8_0;
-    assign out_attribute_9 = held_attribute_9_0;
-    assign out_attribute_10 = held_attribute_10_0;
-    assign out_attribute_11 = held_attribute_11_0;
-    assign out_attribute_12 = held_attribute_12_0;
     assign out_cardinal_0 = held_cardinal_0_0;
 
-    stream_skid_w69 beat_queue (
+    stream_skid_w68 beat_queue (
         .clk(clk), .rst(rst), .in_valid(takes_and_not_is_overlong), .in_ready(beat_queue_in_ready),
         .in_data({whole, s_axis_tdata, place}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
@@ -1149,7 +1018,7 @@ module bus_packet_in (
 
     always @(posedge clk) begin
         if (rst) begin
-            place <= 4'd0;
+            place <= 3'd0;
             is_overlong <= 1'd0;
             begun <= 1'd0;
             is_open <= 1'd0;
@@ -1158,74 +1027,63 @@ module bus_packet_in (
             refused <= 1'd0;
         end else begin
             if (takes_and_not_is_overlong) begin
-                place <= (s_axis_tlast | place_is_8) ? 4'd0 : (place + 4'd1);
+                place <= (s_axis_tlast | place_is_6) ? 3'd0 : (place + 3'd1);
             end
             if (takes) begin
-                is_overlong <= ~s_axis_tlast & (is_overlong | place_is_8);
+                is_overlong <= ~s_axis_tlast & (is_overlong | place_is_6);
                 begun <= ~s_axis_tlast;
             end
             is_open <= opens | (is_open & ~(whole & ends));
             taken <= whole;
-            refused <= takes & ((s_axis_tlast ^ place_is_8) & ~is_overlong);
+            refused <= takes & ((s_axis_tlast ^ place_is_6) & ~is_overlong);
             if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
     always @(posedge clk) begin
-        if (takes & (place == 4'd0)) ends <= s_axis_tdata[0];
+        if (takes & (place == 3'd0)) ends <= s_axis_tdata[0];
         if (takes_beat_0) begin
-            held_end_0 <= beat_queue_out_data[4];
-            held_center_x_0 <= beat_queue_out_data[59:36];
+            held_end_0 <= beat_queue_out_data[3];
+            held_center_x_0 <= beat_queue_out_data[58:35];
         end
         if (takes_beat_1) begin
-            held_center_y_0 <= beat_queue_out_data[27:4];
-            held_center_z_0 <= beat_queue_out_data[59:36];
+            held_center_y_0 <= beat_queue_out_data[26:3];
+            held_center_z_0 <= beat_queue_out_data[58:35];
         end
         if (takes_beat_2) begin
-            held_tangent1_x_0 <= beat_queue_out_data[27:4];
-            held_tangent1_y_0 <= beat_queue_out_data[59:36];
+            held_tangent1_x_0 <= beat_queue_out_data[26:3];
+            held_tangent1_y_0 <= beat_queue_out_data[58:35];
         end
         if (takes_beat_3) begin
-            held_tangent1_z_0 <= beat_queue_out_data[27:4];
-            held_tangent2_x_0 <= beat_queue_out_data[59:36];
+            held_tangent1_z_0 <= beat_queue_out_data[26:3];
+            held_tangent2_x_0 <= beat_queue_out_data[58:35];
         end
         if (takes_beat_4) begin
-            held_tangent2_y_0 <= beat_queue_out_data[27:4];
-            held_tangent2_z_0 <= beat_queue_out_data[59:36];
+            held_tangent2_y_0 <= beat_queue_out_data[26:3];
+            held_tangent2_z_0 <= beat_queue_out_data[58:35];
         end
         if (takes_beat_5) begin
-            held_attribute_0_0 <= beat_queue_out_data[19:4];
-            held_attribute_1_0 <= beat_queue_out_data[35:20];
-            held_attribute_2_0 <= beat_queue_out_data[51:36];
-            held_attribute_3_0 <= beat_queue_out_data[67:52];
+            held_attribute_0_0 <= beat_queue_out_data[18:3];
+            held_attribute_1_0 <= beat_queue_out_data[34:19];
+            held_attribute_2_0 <= beat_queue_out_data[50:35];
+            held_attribute_3_0 <= beat_queue_out_data[66:51];
         end
         if (takes_beat_6) begin
-            held_attribute_4_0 <= beat_queue_out_data[19:4];
-            held_attribute_5_0 <= beat_queue_out_data[35:20];
-            held_attribute_6_0 <= beat_queue_out_data[51:36];
-            held_attribute_7_0 <= beat_queue_out_data[67:52];
-        end
-        if (takes_beat_7) begin
-            held_attribute_8_0 <= beat_queue_out_data[19:4];
-            held_attribute_9_0 <= beat_queue_out_data[35:20];
-            held_attribute_10_0 <= beat_queue_out_data[51:36];
-            held_attribute_11_0 <= beat_queue_out_data[67:52];
-        end
-        if (takes_beat_8) begin
-            held_attribute_12_0 <= beat_queue_out_data[19:4];
-            held_cardinal_0_0 <= beat_queue_out_data[35:20];
+            held_attribute_4_0 <= beat_queue_out_data[18:3];
+            held_attribute_5_0 <= beat_queue_out_data[34:19];
+            held_cardinal_0_0 <= beat_queue_out_data[50:35];
         end
     end
 endmodule
 
 // Queue of two in registers.
-// width = 69
-module stream_skid_w69 (
+// width = 68
+module stream_skid_w68 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [68:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [68:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [67:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [67:0] out_data
 );
     reg second_valid;
-    reg [68:0] head, second;
+    reg [67:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

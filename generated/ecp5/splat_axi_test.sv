@@ -228,14 +228,14 @@ module axi_test_writes #(parameter BITS = 64, parameter BEATS = 1, parameter TIL
 endmodule
 
 module splat_axi_test;
-    localparam WORDS = 105053, ANSWERS = 75;
+    localparam WORDS = 84145, ANSWERS = 76;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "splat_axi_test.hex";
-    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 6, EVENT_BITS = 1;
-    localparam [319:0] NAME_MASK = 320'h0000000000000000000000000000000000000000000000000000000000000000000001f801f80000;
+    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 8, EVENTS = 6, EVENT_BITS = 1;
+    localparam [255:0] NAME_MASK = 256'h000000000000000000000000000000000000000000000000000001f801f80000;
     localparam [31:0] END_MASK = 32'h1;
-    localparam TILES = 8192, PIXEL_BEATS = 8;
-    localparam [511:0] PIXEL_HELD = 512'h000000000000000000000000000000000000ffffffffffffffffffffffffffffffffffffffffffffffffffffffffffff000fffffffffffff000000000fffffff;
+    localparam TILES = 8192, PIXEL_BEATS = 4;
+    localparam [255:0] PIXEL_HELD = 256'hffffffffffffffffffffffffffffffff000fffffffffffff000000000fffffff;
     wire s_axil_awvalid;
     wire s_axil_awready;
     wire [11:0] s_axil_awaddr;
@@ -665,7 +665,7 @@ module splat_axi_test;
     assign events = {dut.core.event_slot_wait, dut.core.event_hazard, dut.core.event_accumulate, dut.core.event_blocked, dut.core.event_starved, dut.core.event_sample};
 
 
-    localparam PIXEL_WIDTH = 320;
+    localparam PIXEL_WIDTH = 208;
     reg [PIXEL_WIDTH-1:0] kept [int];
 
     // What the core reads of a pixel is what it wrote there last, whatever buses and memory did to it in between.
@@ -677,15 +677,15 @@ module splat_axi_test;
             data_taken = 0;
         end else begin
             if (dut.core.write_valid && dut.core.write_ready)
-                kept[{dut.core.write_surface, dut.core.write_tile, dut.core.write_pixel}] = {dut.core.write_weight, dut.core.write_depth, dut.core.write_peak, dut.core.write_attribute_0, dut.core.write_attribute_1, dut.core.write_attribute_2, dut.core.write_attribute_3, dut.core.write_attribute_4, dut.core.write_attribute_5, dut.core.write_attribute_6, dut.core.write_attribute_7, dut.core.write_attribute_8, dut.core.write_attribute_9, dut.core.write_attribute_10, dut.core.write_attribute_11, dut.core.write_attribute_12, dut.core.write_cardinal_0};
+                kept[{dut.core.write_surface, dut.core.write_tile, dut.core.write_pixel}] = {dut.core.write_weight, dut.core.write_depth, dut.core.write_peak, dut.core.write_attribute_0, dut.core.write_attribute_1, dut.core.write_attribute_2, dut.core.write_attribute_3, dut.core.write_attribute_4, dut.core.write_attribute_5, dut.core.write_cardinal_0};
             if (dut.core.read_valid && dut.core.read_ready)
                 for (data_i = 0; data_i < dut.core.read_count; data_i = data_i + 1) begin
                     data_expected[data_asked & 255] = kept[{dut.core.read_surface, dut.core.read_tile, dut.core.read_pixel} + data_i];
                     data_asked = data_asked + 1;
                 end
             if (dut.core.data_valid && dut.core.data_ready) begin
-                if (data_taken == data_asked || {dut.core.data_weight, dut.core.data_depth, dut.core.data_peak, dut.core.data_attribute_0, dut.core.data_attribute_1, dut.core.data_attribute_2, dut.core.data_attribute_3, dut.core.data_attribute_4, dut.core.data_attribute_5, dut.core.data_attribute_6, dut.core.data_attribute_7, dut.core.data_attribute_8, dut.core.data_attribute_9, dut.core.data_attribute_10, dut.core.data_attribute_11, dut.core.data_attribute_12, dut.core.data_cardinal_0} != data_expected[data_taken & 255])
-                    $fatal(1, "FAILED: the core reads %h, and wrote %h", {dut.core.data_weight, dut.core.data_depth, dut.core.data_peak, dut.core.data_attribute_0, dut.core.data_attribute_1, dut.core.data_attribute_2, dut.core.data_attribute_3, dut.core.data_attribute_4, dut.core.data_attribute_5, dut.core.data_attribute_6, dut.core.data_attribute_7, dut.core.data_attribute_8, dut.core.data_attribute_9, dut.core.data_attribute_10, dut.core.data_attribute_11, dut.core.data_attribute_12, dut.core.data_cardinal_0}, data_expected[data_taken & 255]);
+                if (data_taken == data_asked || {dut.core.data_weight, dut.core.data_depth, dut.core.data_peak, dut.core.data_attribute_0, dut.core.data_attribute_1, dut.core.data_attribute_2, dut.core.data_attribute_3, dut.core.data_attribute_4, dut.core.data_attribute_5, dut.core.data_cardinal_0} != data_expected[data_taken & 255])
+                    $fatal(1, "FAILED: the core reads %h, and wrote %h", {dut.core.data_weight, dut.core.data_depth, dut.core.data_peak, dut.core.data_attribute_0, dut.core.data_attribute_1, dut.core.data_attribute_2, dut.core.data_attribute_3, dut.core.data_attribute_4, dut.core.data_attribute_5, dut.core.data_cardinal_0}, data_expected[data_taken & 255]);
                 data_taken = data_taken + 1;
             end
         end

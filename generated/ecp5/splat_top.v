@@ -24,13 +24,6 @@ module splat_top (
     input  wire [15:0] splat_attribute_3,  // Attributes.
     input  wire [15:0] splat_attribute_4,  // Attributes.
     input  wire [15:0] splat_attribute_5,  // Attributes.
-    input  wire [15:0] splat_attribute_6,  // Attributes.
-    input  wire [15:0] splat_attribute_7,  // Attributes.
-    input  wire [15:0] splat_attribute_8,  // Attributes.
-    input  wire [15:0] splat_attribute_9,  // Attributes.
-    input  wire [15:0] splat_attribute_10,  // Attributes.
-    input  wire [15:0] splat_attribute_11,  // Attributes.
-    input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
     output reg  frame_set_up,  // All splats of a frame were set up in the last cycle.
     output wire read_valid, input wire read_ready,  // Request for pixels of a tile.
@@ -48,13 +41,6 @@ module splat_top (
     input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
@@ -69,13 +55,6 @@ module splat_top (
     output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire fragment_valid, input wire fragment_ready,  // Fragments of the image, each of one stream; a frame ends when all streams have ended it.
     output wire fragment_end,  // Closes the frame.
@@ -88,13 +67,6 @@ module splat_top (
     output wire [15:0] fragment_attribute_3,  // Attributes.
     output wire [15:0] fragment_attribute_4,  // Attributes.
     output wire [15:0] fragment_attribute_5,  // Attributes.
-    output wire [15:0] fragment_attribute_6,  // Attributes.
-    output wire [15:0] fragment_attribute_7,  // Attributes.
-    output wire [15:0] fragment_attribute_8,  // Attributes.
-    output wire [15:0] fragment_attribute_9,  // Attributes.
-    output wire [15:0] fragment_attribute_10,  // Attributes.
-    output wire [15:0] fragment_attribute_11,  // Attributes.
-    output wire [15:0] fragment_attribute_12,  // Attributes.
     output wire [15:0] fragment_cardinal_0,  // Attributes.
     output wire event_sample,  // Rasterizers that evaluated a sample.
     output wire event_starved,  // Rasterizers that had no copy to work on.
@@ -114,9 +86,7 @@ module splat_top (
     wire [23:0] transform_out_tangent2_y, transform_out_tangent2_z;
     wire [15:0] transform_out_attribute_0, transform_out_attribute_1, transform_out_attribute_2;
     wire [15:0] transform_out_attribute_3, transform_out_attribute_4, transform_out_attribute_5;
-    wire [15:0] transform_out_attribute_6, transform_out_attribute_7, transform_out_attribute_8;
-    wire [15:0] transform_out_attribute_9, transform_out_attribute_10, transform_out_attribute_11;
-    wire [15:0] transform_out_attribute_12, transform_out_cardinal_0;
+    wire [15:0] transform_out_cardinal_0;
     wire setup_in_ready, setup_out_valid, setup_out_end;
     wire [23:0] setup_out_center_x, setup_out_center_y, setup_out_ax, setup_out_bx, setup_out_ay, setup_out_by;
     wire [23:0] setup_out_delta, setup_out_mx, setup_out_my;
@@ -125,9 +95,7 @@ module splat_top (
     wire setup_out_sight_turned, setup_out_sight_disc;
     wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2, setup_out_attribute_3;
-    wire [15:0] setup_out_attribute_4, setup_out_attribute_5, setup_out_attribute_6, setup_out_attribute_7;
-    wire [15:0] setup_out_attribute_8, setup_out_attribute_9, setup_out_attribute_10, setup_out_attribute_11;
-    wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
+    wire [15:0] setup_out_attribute_4, setup_out_attribute_5, setup_out_cardinal_0;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
     wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end, splitter_out_first;
@@ -138,10 +106,7 @@ module splat_top (
     wire splitter_out_sight_turned, splitter_out_sight_disc;
     wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [15:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
-    wire [15:0] splitter_out_attribute_3, splitter_out_attribute_4, splitter_out_attribute_5;
-    wire [15:0] splitter_out_attribute_6, splitter_out_attribute_7, splitter_out_attribute_8;
-    wire [15:0] splitter_out_attribute_9, splitter_out_attribute_10, splitter_out_attribute_11;
-    wire [15:0] splitter_out_attribute_12, splitter_out_cardinal_0;
+    wire [15:0] splitter_out_attribute_3, splitter_out_attribute_4, splitter_out_attribute_5, splitter_out_cardinal_0;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
     wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
     wire [3:0] splitter_out_last_difference;
@@ -152,10 +117,7 @@ module splat_top (
     wire [27:0] lane_0_pixel_weight;
     wire [51:0] lane_0_pixel_depth;
     wire [15:0] lane_0_pixel_peak, lane_0_pixel_attribute_0, lane_0_pixel_attribute_1, lane_0_pixel_attribute_2;
-    wire [15:0] lane_0_pixel_attribute_3, lane_0_pixel_attribute_4, lane_0_pixel_attribute_5;
-    wire [15:0] lane_0_pixel_attribute_6, lane_0_pixel_attribute_7, lane_0_pixel_attribute_8;
-    wire [15:0] lane_0_pixel_attribute_9, lane_0_pixel_attribute_10, lane_0_pixel_attribute_11;
-    wire [15:0] lane_0_pixel_attribute_12, lane_0_pixel_cardinal_0;
+    wire [15:0] lane_0_pixel_attribute_3, lane_0_pixel_attribute_4, lane_0_pixel_attribute_5, lane_0_pixel_cardinal_0;
     wire normalizer_in_ready;
 
     splat_transform transform (
@@ -166,10 +128,7 @@ module splat_top (
         .in_attribute_0(splat_attribute_0), .in_attribute_1(splat_attribute_1),
         .in_attribute_2(splat_attribute_2), .in_attribute_3(splat_attribute_3),
         .in_attribute_4(splat_attribute_4), .in_attribute_5(splat_attribute_5),
-        .in_attribute_6(splat_attribute_6), .in_attribute_7(splat_attribute_7),
-        .in_attribute_8(splat_attribute_8), .in_attribute_9(splat_attribute_9),
-        .in_attribute_10(splat_attribute_10), .in_attribute_11(splat_attribute_11),
-        .in_attribute_12(splat_attribute_12), .in_cardinal_0(splat_cardinal_0),
+        .in_cardinal_0(splat_cardinal_0),
         .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
         .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
         .m22(uniform_m22), .m23(uniform_m23), .near_plane(uniform_near_plane),
@@ -181,11 +140,7 @@ module splat_top (
         .out_tangent2_z(transform_out_tangent2_z), .out_attribute_0(transform_out_attribute_0),
         .out_attribute_1(transform_out_attribute_1), .out_attribute_2(transform_out_attribute_2),
         .out_attribute_3(transform_out_attribute_3), .out_attribute_4(transform_out_attribute_4),
-        .out_attribute_5(transform_out_attribute_5), .out_attribute_6(transform_out_attribute_6),
-        .out_attribute_7(transform_out_attribute_7), .out_attribute_8(transform_out_attribute_8),
-        .out_attribute_9(transform_out_attribute_9), .out_attribute_10(transform_out_attribute_10),
-        .out_attribute_11(transform_out_attribute_11), .out_attribute_12(transform_out_attribute_12),
-        .out_cardinal_0(transform_out_cardinal_0)
+        .out_attribute_5(transform_out_attribute_5), .out_cardinal_0(transform_out_cardinal_0)
     );
 
     splat_setup setup (
@@ -198,10 +153,7 @@ module splat_top (
         .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
         .in_attribute_2(transform_out_attribute_2), .in_attribute_3(transform_out_attribute_3),
         .in_attribute_4(transform_out_attribute_4), .in_attribute_5(transform_out_attribute_5),
-        .in_attribute_6(transform_out_attribute_6), .in_attribute_7(transform_out_attribute_7),
-        .in_attribute_8(transform_out_attribute_8), .in_attribute_9(transform_out_attribute_9),
-        .in_attribute_10(transform_out_attribute_10), .in_attribute_11(transform_out_attribute_11),
-        .in_attribute_12(transform_out_attribute_12), .in_cardinal_0(transform_out_cardinal_0),
+        .in_cardinal_0(transform_out_cardinal_0),
         .near_plane(uniform_near_plane),
         .filter_radius(uniform_filter_radius),
         .depth_a(uniform_depth_a), .depth_b(uniform_depth_b),
@@ -220,14 +172,10 @@ module splat_top (
         .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
         .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
         .out_attribute_3(setup_out_attribute_3), .out_attribute_4(setup_out_attribute_4),
-        .out_attribute_5(setup_out_attribute_5), .out_attribute_6(setup_out_attribute_6),
-        .out_attribute_7(setup_out_attribute_7), .out_attribute_8(setup_out_attribute_8),
-        .out_attribute_9(setup_out_attribute_9), .out_attribute_10(setup_out_attribute_10),
-        .out_attribute_11(setup_out_attribute_11), .out_attribute_12(setup_out_attribute_12),
-        .out_cardinal_0(setup_out_cardinal_0), .out_left(setup_out_left), .out_right(setup_out_right),
-        .out_top(setup_out_top), .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum),
-        .out_last_sum(setup_out_last_sum), .out_first_difference(setup_out_first_difference),
-        .out_last_difference(setup_out_last_difference)
+        .out_attribute_5(setup_out_attribute_5), .out_cardinal_0(setup_out_cardinal_0),
+        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
+        .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum), .out_last_sum(setup_out_last_sum),
+        .out_first_difference(setup_out_first_difference), .out_last_difference(setup_out_last_difference)
     );
 
     splat_splitter splitter (
@@ -241,14 +189,10 @@ module splat_top (
         .in_depth_high(setup_out_depth_high), .in_attribute_0(setup_out_attribute_0),
         .in_attribute_1(setup_out_attribute_1), .in_attribute_2(setup_out_attribute_2),
         .in_attribute_3(setup_out_attribute_3), .in_attribute_4(setup_out_attribute_4),
-        .in_attribute_5(setup_out_attribute_5), .in_attribute_6(setup_out_attribute_6),
-        .in_attribute_7(setup_out_attribute_7), .in_attribute_8(setup_out_attribute_8),
-        .in_attribute_9(setup_out_attribute_9), .in_attribute_10(setup_out_attribute_10),
-        .in_attribute_11(setup_out_attribute_11), .in_attribute_12(setup_out_attribute_12),
-        .in_cardinal_0(setup_out_cardinal_0), .in_left(setup_out_left), .in_right(setup_out_right),
-        .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
-        .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
-        .in_last_difference(setup_out_last_difference),
+        .in_attribute_5(setup_out_attribute_5), .in_cardinal_0(setup_out_cardinal_0),
+        .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
+        .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum), .in_last_sum(setup_out_last_sum),
+        .in_first_difference(setup_out_first_difference), .in_last_difference(setup_out_last_difference),
         .out_valid(splitter_out_valid), .out_ready(lane_0_in_ready), .out_end(splitter_out_end),
         .out_first(splitter_out_first), .out_center_x(splitter_out_center_x),
         .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax), .out_bx(splitter_out_bx),
@@ -260,14 +204,10 @@ module splat_top (
         .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
         .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
         .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
-        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
-        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
-        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
-        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
-        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
-        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_first_sum(splitter_out_first_sum), .out_last_sum(splitter_out_last_sum),
-        .out_first_difference(splitter_out_first_difference),
+        .out_attribute_5(splitter_out_attribute_5), .out_cardinal_0(splitter_out_cardinal_0),
+        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
+        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
         .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
@@ -283,12 +223,9 @@ module splat_top (
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
         .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
         .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
-        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
-        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
-        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
-        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
-        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
-        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+        .in_attribute_5(splitter_out_attribute_5), .in_cardinal_0(splitter_out_cardinal_0),
+        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
         .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
         .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
         .read_valid(read_valid), .read_ready(read_ready), .read_surface(read_surface), .read_tile(read_tile),
@@ -297,30 +234,20 @@ module splat_top (
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
         .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
-        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
-        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
-        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
-        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .data_cardinal_0(data_cardinal_0),
         .write_valid(write_valid), .write_ready(write_ready), .write_surface(write_surface),
         .write_tile(write_tile), .write_pixel(write_pixel), .write_weight(write_weight),
         .write_depth(write_depth), .write_peak(write_peak), .write_attribute_0(write_attribute_0),
         .write_attribute_1(write_attribute_1), .write_attribute_2(write_attribute_2),
         .write_attribute_3(write_attribute_3), .write_attribute_4(write_attribute_4),
-        .write_attribute_5(write_attribute_5), .write_attribute_6(write_attribute_6),
-        .write_attribute_7(write_attribute_7), .write_attribute_8(write_attribute_8),
-        .write_attribute_9(write_attribute_9), .write_attribute_10(write_attribute_10),
-        .write_attribute_11(write_attribute_11), .write_attribute_12(write_attribute_12),
-        .write_cardinal_0(write_cardinal_0),
+        .write_attribute_5(write_attribute_5), .write_cardinal_0(write_cardinal_0),
         .pixel_valid(lane_0_pixel_valid), .pixel_ready(normalizer_in_ready), .pixel_end(lane_0_pixel_end),
         .pixel_tile(lane_0_pixel_tile), .pixel_pixel(lane_0_pixel_pixel), .pixel_weight(lane_0_pixel_weight),
         .pixel_depth(lane_0_pixel_depth), .pixel_peak(lane_0_pixel_peak),
         .pixel_attribute_0(lane_0_pixel_attribute_0), .pixel_attribute_1(lane_0_pixel_attribute_1),
         .pixel_attribute_2(lane_0_pixel_attribute_2), .pixel_attribute_3(lane_0_pixel_attribute_3),
         .pixel_attribute_4(lane_0_pixel_attribute_4), .pixel_attribute_5(lane_0_pixel_attribute_5),
-        .pixel_attribute_6(lane_0_pixel_attribute_6), .pixel_attribute_7(lane_0_pixel_attribute_7),
-        .pixel_attribute_8(lane_0_pixel_attribute_8), .pixel_attribute_9(lane_0_pixel_attribute_9),
-        .pixel_attribute_10(lane_0_pixel_attribute_10), .pixel_attribute_11(lane_0_pixel_attribute_11),
-        .pixel_attribute_12(lane_0_pixel_attribute_12), .pixel_cardinal_0(lane_0_pixel_cardinal_0),
+        .pixel_cardinal_0(lane_0_pixel_cardinal_0),
         .filter_scale(uniform_filter_scale),
         .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked),
         .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
@@ -333,19 +260,13 @@ module splat_top (
         .in_attribute_0(lane_0_pixel_attribute_0), .in_attribute_1(lane_0_pixel_attribute_1),
         .in_attribute_2(lane_0_pixel_attribute_2), .in_attribute_3(lane_0_pixel_attribute_3),
         .in_attribute_4(lane_0_pixel_attribute_4), .in_attribute_5(lane_0_pixel_attribute_5),
-        .in_attribute_6(lane_0_pixel_attribute_6), .in_attribute_7(lane_0_pixel_attribute_7),
-        .in_attribute_8(lane_0_pixel_attribute_8), .in_attribute_9(lane_0_pixel_attribute_9),
-        .in_attribute_10(lane_0_pixel_attribute_10), .in_attribute_11(lane_0_pixel_attribute_11),
-        .in_attribute_12(lane_0_pixel_attribute_12), .in_cardinal_0(lane_0_pixel_cardinal_0),
+        .in_cardinal_0(lane_0_pixel_cardinal_0),
         .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
         .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
         .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
         .out_attribute_2(fragment_attribute_2), .out_attribute_3(fragment_attribute_3),
         .out_attribute_4(fragment_attribute_4), .out_attribute_5(fragment_attribute_5),
-        .out_attribute_6(fragment_attribute_6), .out_attribute_7(fragment_attribute_7),
-        .out_attribute_8(fragment_attribute_8), .out_attribute_9(fragment_attribute_9),
-        .out_attribute_10(fragment_attribute_10), .out_attribute_11(fragment_attribute_11),
-        .out_attribute_12(fragment_attribute_12), .out_cardinal_0(fragment_cardinal_0)
+        .out_cardinal_0(fragment_cardinal_0)
     );
 
     always @(posedge clk) begin
@@ -397,13 +318,6 @@ module splat_normalizer (
     input  wire [15:0] in_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire out_valid, input wire out_ready,  // Fragments.
     output wire out_end,  // Closes the frame.
@@ -416,30 +330,19 @@ module splat_normalizer (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [103:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_20_from_0_copy2 [0:18];
-    (* ram_style = "distributed" *)
-    reg [31:0] delay_20_from_0_copy3 [0:18];
+    reg [15:0] delay_20_from_0_copy2 [0:18];
     (* ram_style = "distributed" *)
     reg [34:0] delay_30_from_0 [0:28];
     reg [6:0] credits;
     reg [4:0] delay_20_from_0_pointer;
     reg [103:0] delay_20_from_0_out;
     reg [4:0] delay_20_from_0_copy2_pointer;
-    reg [95:0] delay_20_from_0_copy2_out;
-    reg [4:0] delay_20_from_0_copy3_pointer;
-    reg [31:0] delay_20_from_0_copy3_out;
+    reg [15:0] delay_20_from_0_copy2_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [34:0] delay_30_from_0_out;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
@@ -449,24 +352,14 @@ module splat_normalizer (
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy9_y, mul_f24_ftz_unit_copy10_y;
-    wire [23:0] mul_f24_ftz_unit_copy11_y, mul_f24_ftz_unit_copy12_y, mul_f24_ftz_unit_copy13_y;
-    wire [23:0] mul_f24_ftz_unit_copy14_y, convert_f16_f24_ftz_unit_y, convert_f16_f24_ftz_unit_copy2_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy3_y, convert_f16_f24_ftz_unit_copy4_y, convert_f16_f24_ftz_unit_copy5_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy6_y, convert_f16_f24_ftz_unit_copy7_y, convert_f16_f24_ftz_unit_copy8_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy9_y, convert_f16_f24_ftz_unit_copy10_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy11_y, convert_f16_f24_ftz_unit_copy12_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy13_y;
+    wire [23:0] convert_f16_f24_ftz_unit_y, convert_f16_f24_ftz_unit_copy2_y, convert_f16_f24_ftz_unit_copy3_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy4_y, convert_f16_f24_ftz_unit_copy5_y, convert_f16_f24_ftz_unit_copy6_y;
     wire [15:0] convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y;
     wire [15:0] convert_f24_ftz_f16_unit_copy4_y, convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y;
     wire queue_1_in_ready;
     wire [122:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
-    wire [127:0] queue_2_out_data;
-    wire queue_3_in_ready, queue_3_out_valid;
+    wire [31:0] queue_2_out_data;
 
     assign in_ready = ~credits[6];
     wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
@@ -475,14 +368,6 @@ module splat_normalizer (
     wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
     wire [15:0] attribute_3_d20 = delay_20_from_0_out[87:72];
     wire [15:0] attribute_4_d20 = delay_20_from_0_out[103:88];
-    wire [15:0] attribute_5_d20 = delay_20_from_0_copy2_out[15:0];
-    wire [15:0] attribute_6_d20 = delay_20_from_0_copy2_out[31:16];
-    wire [15:0] attribute_7_d20 = delay_20_from_0_copy2_out[47:32];
-    wire [15:0] attribute_8_d20 = delay_20_from_0_copy2_out[63:48];
-    wire [15:0] attribute_9_d20 = delay_20_from_0_copy2_out[79:64];
-    wire [15:0] attribute_10_d20 = delay_20_from_0_copy2_out[95:80];
-    wire [15:0] attribute_11_d20 = delay_20_from_0_copy3_out[15:0];
-    wire [15:0] attribute_12_d20 = delay_20_from_0_copy3_out[31:16];
     wire kept = in_flight[29];
     wire end_d30 = delay_30_from_0_out[0];
     wire [8:0] column_out_d30 = delay_30_from_0_out[25:17];
@@ -494,10 +379,7 @@ module splat_normalizer (
         out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4
     } = queue_1_out_data;
-    assign {
-        out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9, out_attribute_10,
-        out_attribute_11, out_attribute_12
-    } = queue_2_out_data;
+    assign {out_attribute_5, out_cardinal_0} = queue_2_out_data;
 
     float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
@@ -545,41 +427,6 @@ module splat_normalizer (
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
-        .y(mul_f24_ftz_unit_copy8_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
-        .y(mul_f24_ftz_unit_copy9_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
-        .y(mul_f24_ftz_unit_copy10_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
-        .y(mul_f24_ftz_unit_copy11_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
-        .y(mul_f24_ftz_unit_copy12_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
-        .y(mul_f24_ftz_unit_copy13_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy14 (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
-        .y(mul_f24_ftz_unit_copy14_y)
-    );
-
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
@@ -601,35 +448,7 @@ module splat_normalizer (
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(1'd1), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(1'd1), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(1'd1), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(1'd1), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(1'd1), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(1'd1), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
-    );
-
-    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(1'd1), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
+        .clk(clk), .enable(1'd1), .a(delay_20_from_0_copy2_out), .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
@@ -656,34 +475,6 @@ module splat_normalizer (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_y), .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy7 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy8_y), .y(convert_f24_ftz_f16_unit_copy7_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy9_y), .y(convert_f24_ftz_f16_unit_copy8_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy9 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy10_y), .y(convert_f24_ftz_f16_unit_copy9_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy10 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy11_y), .y(convert_f24_ftz_f16_unit_copy10_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy11 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy12_y), .y(convert_f24_ftz_f16_unit_copy11_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy12 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy13_y), .y(convert_f24_ftz_f16_unit_copy12_y)
-    );
-
-    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy13 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy14_y), .y(convert_f24_ftz_f16_unit_copy13_y)
-    );
-
     stream_fifo_d34_w123_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
@@ -694,20 +485,10 @@ module splat_normalizer (
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d34_w128_distributed queue_2 (
+    stream_fifo_d34_w32_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data({
-            convert_f24_ftz_f16_unit_copy6_y, convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y,
-            convert_f24_ftz_f16_unit_copy9_y, convert_f24_ftz_f16_unit_copy10_y,
-            convert_f24_ftz_f16_unit_copy11_y, convert_f24_ftz_f16_unit_copy12_y,
-            convert_f24_ftz_f16_unit_copy13_y
-        }),
+        .in_data({convert_f24_ftz_f16_unit_copy6_y, cardinal_0_d30}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
-    );
-
-    stream_fifo_d34_w16_distributed queue_3 (
-        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready), .in_data(cardinal_0_d30),
-        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(out_cardinal_0)
     );
 
     always @(posedge clk) begin
@@ -715,7 +496,6 @@ module splat_normalizer (
             credits <= 7'd33;
             delay_20_from_0_pointer <= 5'd0;
             delay_20_from_0_copy2_pointer <= 5'd0;
-            delay_20_from_0_copy3_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
             in_flight <= 30'd0;
             left <= 1'd0;
@@ -723,7 +503,6 @@ module splat_normalizer (
             credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_20_from_0_copy2_pointer <= (delay_20_from_0_copy2_pointer == 5'd18) ? (delay_20_from_0_copy2_pointer - 5'd18) : (delay_20_from_0_copy2_pointer + 5'd1);
-            delay_20_from_0_copy3_pointer <= (delay_20_from_0_copy3_pointer == 5'd18) ? (delay_20_from_0_copy3_pointer - 5'd18) : (delay_20_from_0_copy3_pointer + 5'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
             in_flight <= {in_flight[28:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
@@ -742,31 +521,22 @@ module splat_normalizer (
         delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_20_from_0_copy2[delay_20_from_0_copy2_pointer] <= {in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6, in_attribute_5};
+        delay_20_from_0_copy2[delay_20_from_0_copy2_pointer] <= in_attribute_5;
         delay_20_from_0_copy2_out <= delay_20_from_0_copy2[delay_20_from_0_copy2_pointer];
-    end
-    always @(posedge clk) begin
-        delay_20_from_0_copy3[delay_20_from_0_copy3_pointer] <= {in_attribute_12, in_attribute_11};
-        delay_20_from_0_copy3_out <= delay_20_from_0_copy3[delay_20_from_0_copy3_pointer];
     end
     always @(posedge clk) begin
         delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
         delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
 
-    wire _unused = &{
-        1'b0, in_peak, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
-        queue_3_out_valid
-    };
+    wire _unused = &{1'b0, in_peak, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
         queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
-        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
-        queue_3_in_step: assert (queue_3_out_valid == out_valid);
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -774,15 +544,9 @@ module splat_normalizer (
         if (!(~kept | queue_2_in_ready)) begin
             $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(~kept | queue_3_in_ready)) begin
-            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
-        end
         if (!(queue_2_out_valid == out_valid)) begin
             $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
-        if (!(queue_3_out_valid == out_valid)) begin
-            $display("assertion failed: queue_3_in_step in %m"); $stop;
-        end
 `endif
     end
 `endif
@@ -790,74 +554,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 34
-// width = 16
+// width = 32
 // storage = distributed
-module stream_fifo_d34_w16_distributed (
+module stream_fifo_d34_w32_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [15:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [15:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [31:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [15:0] entries [0:33];
+    reg [31:0] entries [0:33];
     reg [5:0] held, waiting, write_address, read_address;
-    reg [15:0] item;
-
-    wire has_room = ~(held == 6'd34);
-    wire push = in_valid & has_room;
-    wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
-
-    assign in_ready = has_room;
-    assign out_data = item;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 6'd0;
-            waiting <= 6'd0;
-            write_address <= 6'd0;
-            read_address <= 6'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
-            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
-        end
-    end
-    always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
-        if (fetch) item <= entries[read_address];
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        held_in_range: assert (held <= 6'd34);
-        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
-`else
-        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {5'd0, out_valid}))) begin
-            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue in a memory with a registered output.
-// depth = 34
-// width = 128
-// storage = distributed
-module stream_fifo_d34_w128_distributed (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
-);
-    (* ram_style = "distributed" *)
-    reg [127:0] entries [0:33];
-    reg [5:0] held, waiting, write_address, read_address;
-    reg [127:0] item;
+    reg [31:0] item;
 
     wire has_room = ~(held == 6'd34);
     wire push = in_valid & has_room;
@@ -1231,13 +938,6 @@ module splat_lane (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
@@ -1263,13 +963,6 @@ module splat_lane (
     input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
@@ -1284,13 +977,6 @@ module splat_lane (
     output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
@@ -1305,13 +991,6 @@ module splat_lane (
     output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [23:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
     output wire event_sample,  // The rasterizer evaluated a sample.
@@ -1335,10 +1014,7 @@ module splat_lane (
     wire payloads_out_sight_turned, payloads_out_sight_disc;
     wire [23:0] payloads_out_depth, payloads_out_depth_low, payloads_out_depth_high;
     wire [15:0] payloads_out_attribute_0, payloads_out_attribute_1, payloads_out_attribute_2;
-    wire [15:0] payloads_out_attribute_3, payloads_out_attribute_4, payloads_out_attribute_5;
-    wire [15:0] payloads_out_attribute_6, payloads_out_attribute_7, payloads_out_attribute_8;
-    wire [15:0] payloads_out_attribute_9, payloads_out_attribute_10, payloads_out_attribute_11;
-    wire [15:0] payloads_out_attribute_12, payloads_out_cardinal_0;
+    wire [15:0] payloads_out_attribute_3, payloads_out_attribute_4, payloads_out_attribute_5, payloads_out_cardinal_0;
     wire [2:0] payloads_out_left, payloads_out_right, payloads_out_top, payloads_out_bottom;
     wire [3:0] payloads_out_first_sum, payloads_out_last_sum, payloads_out_first_difference;
     wire [3:0] payloads_out_last_difference;
@@ -1372,9 +1048,7 @@ module splat_lane (
     wire [51:0] tile_cache_fill_depth;
     wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
     wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
-    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
-    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
-    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
+    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_cardinal_0;
     wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_last, rasterizer_out_inside;
     wire [2:0] rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
@@ -1382,9 +1056,7 @@ module splat_lane (
     wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
     wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
     wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
-    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
-    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
-    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
+    wire [15:0] rasterizer_out_cardinal_0;
     wire weighting_in_ready, weighting_out_valid, weighting_out_last, weighting_out_inside;
     wire [2:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
@@ -1393,9 +1065,7 @@ module splat_lane (
     wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
     wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
     wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
-    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
-    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
-    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
+    wire [15:0] weighting_out_cardinal_0;
     wire accumulator_in_ready, accumulator_retire_valid;
     wire [2:0] accumulator_retire_slot;
     wire [1:0] accumulator_sample_reads, accumulator_sample_writes;
@@ -1406,9 +1076,7 @@ module splat_lane (
     wire [51:0] accumulator_drained_depth;
     wire [15:0] accumulator_drained_peak, accumulator_drained_attribute_0, accumulator_drained_attribute_1;
     wire [15:0] accumulator_drained_attribute_2, accumulator_drained_attribute_3, accumulator_drained_attribute_4;
-    wire [15:0] accumulator_drained_attribute_5, accumulator_drained_attribute_6, accumulator_drained_attribute_7;
-    wire [15:0] accumulator_drained_attribute_8, accumulator_drained_attribute_9, accumulator_drained_attribute_10;
-    wire [15:0] accumulator_drained_attribute_11, accumulator_drained_attribute_12, accumulator_drained_cardinal_0;
+    wire [15:0] accumulator_drained_attribute_5, accumulator_drained_cardinal_0;
 
     wire payloads_copy_ready = reorder_in_ready & ~tile_cache_full;
     wire copy_comes = payloads_copy_valid & ~tile_cache_full;
@@ -1421,12 +1089,9 @@ module splat_lane (
         .in_sight_turned(in_sight_turned), .in_sight_disc(in_sight_disc), .in_depth(in_depth),
         .in_depth_low(in_depth_low), .in_depth_high(in_depth_high), .in_attribute_0(in_attribute_0),
         .in_attribute_1(in_attribute_1), .in_attribute_2(in_attribute_2), .in_attribute_3(in_attribute_3),
-        .in_attribute_4(in_attribute_4), .in_attribute_5(in_attribute_5), .in_attribute_6(in_attribute_6),
-        .in_attribute_7(in_attribute_7), .in_attribute_8(in_attribute_8), .in_attribute_9(in_attribute_9),
-        .in_attribute_10(in_attribute_10), .in_attribute_11(in_attribute_11),
-        .in_attribute_12(in_attribute_12), .in_cardinal_0(in_cardinal_0), .in_left(in_left),
-        .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom), .in_first_sum(in_first_sum),
-        .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
+        .in_attribute_4(in_attribute_4), .in_attribute_5(in_attribute_5), .in_cardinal_0(in_cardinal_0),
+        .in_left(in_left), .in_right(in_right), .in_top(in_top), .in_bottom(in_bottom),
+        .in_first_sum(in_first_sum), .in_last_sum(in_last_sum), .in_first_difference(in_first_difference),
         .in_last_difference(in_last_difference), .in_tile(in_tile),
         .copy_valid(payloads_copy_valid), .copy_ready(payloads_copy_ready), .copy_end(payloads_copy_end),
         .copy_left(payloads_copy_left), .copy_right(payloads_copy_right), .copy_top(payloads_copy_top),
@@ -1451,14 +1116,10 @@ module splat_lane (
         .out_depth_high(payloads_out_depth_high), .out_attribute_0(payloads_out_attribute_0),
         .out_attribute_1(payloads_out_attribute_1), .out_attribute_2(payloads_out_attribute_2),
         .out_attribute_3(payloads_out_attribute_3), .out_attribute_4(payloads_out_attribute_4),
-        .out_attribute_5(payloads_out_attribute_5), .out_attribute_6(payloads_out_attribute_6),
-        .out_attribute_7(payloads_out_attribute_7), .out_attribute_8(payloads_out_attribute_8),
-        .out_attribute_9(payloads_out_attribute_9), .out_attribute_10(payloads_out_attribute_10),
-        .out_attribute_11(payloads_out_attribute_11), .out_attribute_12(payloads_out_attribute_12),
-        .out_cardinal_0(payloads_out_cardinal_0), .out_left(payloads_out_left),
-        .out_right(payloads_out_right), .out_top(payloads_out_top), .out_bottom(payloads_out_bottom),
-        .out_first_sum(payloads_out_first_sum), .out_last_sum(payloads_out_last_sum),
-        .out_first_difference(payloads_out_first_difference),
+        .out_attribute_5(payloads_out_attribute_5), .out_cardinal_0(payloads_out_cardinal_0),
+        .out_left(payloads_out_left), .out_right(payloads_out_right), .out_top(payloads_out_top),
+        .out_bottom(payloads_out_bottom), .out_first_sum(payloads_out_first_sum),
+        .out_last_sum(payloads_out_last_sum), .out_first_difference(payloads_out_first_difference),
         .out_last_difference(payloads_out_last_difference), .out_tile(payloads_out_tile),
         .out_slot(payloads_out_slot)
     );
@@ -1496,10 +1157,7 @@ module splat_lane (
         .pixel_peak(pixel_peak), .pixel_attribute_0(pixel_attribute_0), .pixel_attribute_1(pixel_attribute_1),
         .pixel_attribute_2(pixel_attribute_2), .pixel_attribute_3(pixel_attribute_3),
         .pixel_attribute_4(pixel_attribute_4), .pixel_attribute_5(pixel_attribute_5),
-        .pixel_attribute_6(pixel_attribute_6), .pixel_attribute_7(pixel_attribute_7),
-        .pixel_attribute_8(pixel_attribute_8), .pixel_attribute_9(pixel_attribute_9),
-        .pixel_attribute_10(pixel_attribute_10), .pixel_attribute_11(pixel_attribute_11),
-        .pixel_attribute_12(pixel_attribute_12), .pixel_cardinal_0(pixel_cardinal_0),
+        .pixel_cardinal_0(pixel_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
         .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .masks_written(accumulator_masks_written), .masks_dirty(accumulator_masks_dirty),
@@ -1520,42 +1178,25 @@ module splat_lane (
         .drained_attribute_3(accumulator_drained_attribute_3),
         .drained_attribute_4(accumulator_drained_attribute_4),
         .drained_attribute_5(accumulator_drained_attribute_5),
-        .drained_attribute_6(accumulator_drained_attribute_6),
-        .drained_attribute_7(accumulator_drained_attribute_7),
-        .drained_attribute_8(accumulator_drained_attribute_8),
-        .drained_attribute_9(accumulator_drained_attribute_9),
-        .drained_attribute_10(accumulator_drained_attribute_10),
-        .drained_attribute_11(accumulator_drained_attribute_11),
-        .drained_attribute_12(accumulator_drained_attribute_12),
         .drained_cardinal_0(accumulator_drained_cardinal_0),
         .write_valid(write_valid), .write_ready(write_ready), .write_surface(write_surface),
         .write_tile(write_tile), .write_pixel(write_pixel), .write_weight(write_weight),
         .write_depth(write_depth), .write_peak(write_peak), .write_attribute_0(write_attribute_0),
         .write_attribute_1(write_attribute_1), .write_attribute_2(write_attribute_2),
         .write_attribute_3(write_attribute_3), .write_attribute_4(write_attribute_4),
-        .write_attribute_5(write_attribute_5), .write_attribute_6(write_attribute_6),
-        .write_attribute_7(write_attribute_7), .write_attribute_8(write_attribute_8),
-        .write_attribute_9(write_attribute_9), .write_attribute_10(write_attribute_10),
-        .write_attribute_11(write_attribute_11), .write_attribute_12(write_attribute_12),
-        .write_cardinal_0(write_cardinal_0),
+        .write_attribute_5(write_attribute_5), .write_cardinal_0(write_cardinal_0),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
         .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
-        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
-        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
-        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
-        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .data_cardinal_0(data_cardinal_0),
         .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
         .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
         .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
         .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
         .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
         .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0)
+        .fill_cardinal_0(tile_cache_fill_cardinal_0)
     );
 
     splat_rasterizer rasterizer (
@@ -1570,12 +1211,8 @@ module splat_lane (
         .in_attribute_0(payloads_out_attribute_0), .in_attribute_1(payloads_out_attribute_1),
         .in_attribute_2(payloads_out_attribute_2), .in_attribute_3(payloads_out_attribute_3),
         .in_attribute_4(payloads_out_attribute_4), .in_attribute_5(payloads_out_attribute_5),
-        .in_attribute_6(payloads_out_attribute_6), .in_attribute_7(payloads_out_attribute_7),
-        .in_attribute_8(payloads_out_attribute_8), .in_attribute_9(payloads_out_attribute_9),
-        .in_attribute_10(payloads_out_attribute_10), .in_attribute_11(payloads_out_attribute_11),
-        .in_attribute_12(payloads_out_attribute_12), .in_cardinal_0(payloads_out_cardinal_0),
-        .in_left(payloads_out_left), .in_right(payloads_out_right), .in_top(payloads_out_top),
-        .in_bottom(payloads_out_bottom), .in_first_sum(payloads_out_first_sum),
+        .in_cardinal_0(payloads_out_cardinal_0), .in_left(payloads_out_left), .in_right(payloads_out_right),
+        .in_top(payloads_out_top), .in_bottom(payloads_out_bottom), .in_first_sum(payloads_out_first_sum),
         .in_last_sum(payloads_out_last_sum), .in_first_difference(payloads_out_first_difference),
         .in_last_difference(payloads_out_last_difference), .in_tile(payloads_out_tile),
         .in_slot(payloads_out_slot),
@@ -1586,10 +1223,7 @@ module splat_lane (
         .out_attribute_0(rasterizer_out_attribute_0), .out_attribute_1(rasterizer_out_attribute_1),
         .out_attribute_2(rasterizer_out_attribute_2), .out_attribute_3(rasterizer_out_attribute_3),
         .out_attribute_4(rasterizer_out_attribute_4), .out_attribute_5(rasterizer_out_attribute_5),
-        .out_attribute_6(rasterizer_out_attribute_6), .out_attribute_7(rasterizer_out_attribute_7),
-        .out_attribute_8(rasterizer_out_attribute_8), .out_attribute_9(rasterizer_out_attribute_9),
-        .out_attribute_10(rasterizer_out_attribute_10), .out_attribute_11(rasterizer_out_attribute_11),
-        .out_attribute_12(rasterizer_out_attribute_12), .out_cardinal_0(rasterizer_out_cardinal_0),
+        .out_cardinal_0(rasterizer_out_cardinal_0),
         .filter_scale(filter_scale),
         .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
     );
@@ -1602,10 +1236,7 @@ module splat_lane (
         .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
         .in_attribute_2(rasterizer_out_attribute_2), .in_attribute_3(rasterizer_out_attribute_3),
         .in_attribute_4(rasterizer_out_attribute_4), .in_attribute_5(rasterizer_out_attribute_5),
-        .in_attribute_6(rasterizer_out_attribute_6), .in_attribute_7(rasterizer_out_attribute_7),
-        .in_attribute_8(rasterizer_out_attribute_8), .in_attribute_9(rasterizer_out_attribute_9),
-        .in_attribute_10(rasterizer_out_attribute_10), .in_attribute_11(rasterizer_out_attribute_11),
-        .in_attribute_12(rasterizer_out_attribute_12), .in_cardinal_0(rasterizer_out_cardinal_0),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
         .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_last(weighting_out_last),
         .out_inside(weighting_out_inside), .out_slot(weighting_out_slot), .out_pixel(weighting_out_pixel),
         .out_weight(weighting_out_weight), .out_weighted_depth(weighting_out_weighted_depth),
@@ -1613,10 +1244,7 @@ module splat_lane (
         .out_attribute_0(weighting_out_attribute_0), .out_attribute_1(weighting_out_attribute_1),
         .out_attribute_2(weighting_out_attribute_2), .out_attribute_3(weighting_out_attribute_3),
         .out_attribute_4(weighting_out_attribute_4), .out_attribute_5(weighting_out_attribute_5),
-        .out_attribute_6(weighting_out_attribute_6), .out_attribute_7(weighting_out_attribute_7),
-        .out_attribute_8(weighting_out_attribute_8), .out_attribute_9(weighting_out_attribute_9),
-        .out_attribute_10(weighting_out_attribute_10), .out_attribute_11(weighting_out_attribute_11),
-        .out_attribute_12(weighting_out_attribute_12), .out_cardinal_0(weighting_out_cardinal_0)
+        .out_cardinal_0(weighting_out_cardinal_0)
     );
 
     splat_accumulator accumulator (
@@ -1627,11 +1255,7 @@ module splat_lane (
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
         .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
-        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
-        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
-        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
-        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
-        .in_cardinal_0(weighting_out_cardinal_0),
+        .in_attribute_5(weighting_out_attribute_5), .in_cardinal_0(weighting_out_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
         .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .change_valid(tile_cache_change_valid), .change_slot(tile_cache_change_slot),
@@ -1642,10 +1266,7 @@ module splat_lane (
         .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
         .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
         .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .fill_cardinal_0(tile_cache_fill_cardinal_0),
         .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
         .drain_pixel(tile_cache_drain_pixel),
         .sample_reads(accumulator_sample_reads), .sample_writes(accumulator_sample_writes),
@@ -1658,13 +1279,6 @@ module splat_lane (
         .drained_attribute_3(accumulator_drained_attribute_3),
         .drained_attribute_4(accumulator_drained_attribute_4),
         .drained_attribute_5(accumulator_drained_attribute_5),
-        .drained_attribute_6(accumulator_drained_attribute_6),
-        .drained_attribute_7(accumulator_drained_attribute_7),
-        .drained_attribute_8(accumulator_drained_attribute_8),
-        .drained_attribute_9(accumulator_drained_attribute_9),
-        .drained_attribute_10(accumulator_drained_attribute_10),
-        .drained_attribute_11(accumulator_drained_attribute_11),
-        .drained_attribute_12(accumulator_drained_attribute_12),
         .drained_cardinal_0(accumulator_drained_cardinal_0),
         .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
@@ -1691,13 +1305,6 @@ module splat_accumulator (
     input  wire [15:0] in_attribute_3,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_4,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_5,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_6,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_7,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_8,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_9,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_10,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [15:0] in_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_cardinal_0,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     output reg  retire_valid,  // A copy is done with.
@@ -1718,13 +1325,6 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire drain_enable,  // Read of a slot, until it is carried out.
     input  wire [2:0] drain_slot,  // Slot of the tile cache.
@@ -1744,13 +1344,6 @@ module splat_accumulator (
     output wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  event_accumulate,  // The accumulator took a sample.
     output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
@@ -1799,27 +1392,20 @@ module splat_accumulator (
     reg [15:0] head_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] head_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] head_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] head_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
     reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
     reg is_written_1, is_written_2;
-    wire [319:0] bank_0_read;
-    reg [319:0] bank_0_pixel;
-    wire [319:0] bank_1_read;
-    reg [319:0] bank_1_pixel;
+    wire [207:0] bank_0_read;
+    reg [207:0] bank_0_pixel;
+    wire [207:0] bank_1_read;
+    reg [207:0] bank_1_pixel;
     reg drains_1;
     reg [5:0] drained_pixel_1;
     reg drains_2;
     reg [5:0] drained_pixel_2;
-    reg [319:0] stored;
+    reg [207:0] stored;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -1830,13 +1416,6 @@ module splat_accumulator (
     reg [15:0] sample_1_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_1_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_1_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_1_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_1_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_2_weight;  // Kernel weight.
     reg [39:0] sample_2_weighted_depth;  // Weighted depth.
@@ -1848,13 +1427,6 @@ module splat_accumulator (
     reg [15:0] sample_2_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_2_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_2_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_2_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_2_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_3_weight;  // Kernel weight.
     reg [39:0] sample_3_weighted_depth;  // Weighted depth.
@@ -1866,13 +1438,6 @@ module splat_accumulator (
     reg [15:0] sample_3_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_3_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_3_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
-    reg [15:0] sample_3_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] sample_3_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
     reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
@@ -1885,24 +1450,17 @@ module splat_accumulator (
     reg [15:0] attribute_2_4, attribute_2_5, attribute_2_6, attribute_2_7, attribute_2_8, attribute_3_4;
     reg [15:0] attribute_3_5, attribute_3_6, attribute_3_7, attribute_3_8, attribute_4_4, attribute_4_5;
     reg [15:0] attribute_4_6, attribute_4_7, attribute_4_8, attribute_5_4, attribute_5_5, attribute_5_6;
-    reg [15:0] attribute_5_7, attribute_5_8, attribute_6_4, attribute_6_5, attribute_6_6, attribute_6_7;
-    reg [15:0] attribute_6_8, attribute_7_4, attribute_7_5, attribute_7_6, attribute_7_7, attribute_7_8;
-    reg [15:0] attribute_8_4, attribute_8_5, attribute_8_6, attribute_8_7, attribute_8_8, attribute_9_4;
-    reg [15:0] attribute_9_5, attribute_9_6, attribute_9_7, attribute_9_8, attribute_10_4, attribute_10_5;
-    reg [15:0] attribute_10_6, attribute_10_7, attribute_10_8, attribute_11_4, attribute_11_5, attribute_11_6;
-    reg [15:0] attribute_11_7, attribute_11_8, attribute_12_4, attribute_12_5, attribute_12_6, attribute_12_7;
-    reg [15:0] attribute_12_8, cardinal_0_4, cardinal_0_5, cardinal_0_6, cardinal_0_7, cardinal_0_8;
+    reg [15:0] attribute_5_7, attribute_5_8, cardinal_0_4, cardinal_0_5, cardinal_0_6, cardinal_0_7, cardinal_0_8;
     reg [15:0] stored_cardinal_0_4, stored_cardinal_0_5, stored_cardinal_0_6, stored_cardinal_0_7;
     reg [15:0] stored_cardinal_0_8;
 
     wire places_out_valid;
     wire [10:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
-    wire [327:0] samples_out_data;
+    wire [215:0] samples_out_data;
     wire depth_test_fail, depth_test_pass;
     wire [15:0] add_attribute_0_y, add_attribute_1_y, add_attribute_2_y, add_attribute_3_y, add_attribute_4_y;
-    wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
-    wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
+    wire [15:0] add_attribute_5_y;
 
     wire may_issue_inside = head_valid & head_inside;
     wire reads = may_issue_inside & arrived;
@@ -1910,7 +1468,7 @@ module splat_accumulator (
     wire sample_reads_0 = reads & ~head_pixel[0];
     wire [1:0] reads_bank = {sample_reads_1, sample_reads_0};
     wire [1:0] will_write_bank = {inside_7 & pixel_7[0], inside_7 & ~pixel_7[0]};
-    wire [319:0] drained_word = drained_pixel_2[0] ? bank_1_pixel : bank_0_pixel;
+    wire [207:0] drained_word = drained_pixel_2[0] ? bank_1_pixel : bank_0_pixel;
     wire sample_ends_in_0 = inside_8 & ~pixel_8[0];
     wire changes = ~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]);
     wire writes_0 = sample_ends_in_0 ? changes : (fill_valid & ~fill_pixel[0]);
@@ -1929,36 +1487,16 @@ module splat_accumulator (
     wire [15:0] result_bits_5 = {add_attribute_4_y[15], overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0]};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
     wire [15:0] result_bits_6 = {add_attribute_5_y[15], overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0]};
-    wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [15:0] result_bits_7 = {add_attribute_6_y[15], overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0]};
-    wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [15:0] result_bits_8 = {add_attribute_7_y[15], overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0]};
-    wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [15:0] result_bits_9 = {add_attribute_8_y[15], overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0]};
-    wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [15:0] result_bits_10 = {add_attribute_9_y[15], overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0]};
-    wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [15:0] result_bits_11 = {add_attribute_10_y[15], overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0]};
-    wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [15:0] result_bits_12 = {add_attribute_11_y[15], overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0]};
-    wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [15:0] result_bits_13 = {add_attribute_12_y[15], overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0]};
-    wire [319:0] result = {
+    wire [207:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
         selected ? weight_8 : peak_8, late_pass_5 ? attribute_0_8 : result_bits,
         late_pass_5 ? attribute_1_8 : result_bits_2, late_pass_5 ? attribute_2_8 : result_bits_3,
         late_pass_5 ? attribute_3_8 : result_bits_4, late_pass_5 ? attribute_4_8 : result_bits_5,
-        late_pass_5 ? attribute_5_8 : result_bits_6, late_pass_5 ? attribute_6_8 : result_bits_7,
-        late_pass_5 ? attribute_7_8 : result_bits_8, late_pass_5 ? attribute_8_8 : result_bits_9,
-        late_pass_5 ? attribute_9_8 : result_bits_10, late_pass_5 ? attribute_10_8 : result_bits_11,
-        late_pass_5 ? attribute_11_8 : result_bits_12, late_pass_5 ? attribute_12_8 : result_bits_13,
-        selected ? cardinal_0_8 : stored_cardinal_0_8
+        late_pass_5 ? attribute_5_8 : result_bits_6, selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire [319:0] bank_1_pixels_data_bits = {
+    wire [207:0] bank_1_pixels_data_bits = {
         fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
-        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
-        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
-        fill_cardinal_0
+        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_cardinal_0
     };
     wire [7:0] bank_1_read_address_bits = {head_slot, head_pixel[5:1]};
     wire [7:0] bank_1_read_address_bits_2 = {drain_slot, drain_pixel[5:1]};
@@ -1974,23 +1512,16 @@ module splat_accumulator (
     wire places_out_inside = places_out_data[9];
     wire [2:0] places_out_slot = places_out_data[8:6];
     wire [5:0] places_out_pixel = places_out_data[5:0];
-    wire [15:0] samples_out_weight = samples_out_data[327:312];
-    wire [39:0] samples_out_weighted_depth = samples_out_data[311:272];
-    wire [23:0] samples_out_depth_low = samples_out_data[271:248];
-    wire [23:0] samples_out_depth_high = samples_out_data[247:224];
-    wire [15:0] samples_out_attribute_0 = samples_out_data[223:208];
-    wire [15:0] samples_out_attribute_1 = samples_out_data[207:192];
-    wire [15:0] samples_out_attribute_2 = samples_out_data[191:176];
-    wire [15:0] samples_out_attribute_3 = samples_out_data[175:160];
-    wire [15:0] samples_out_attribute_4 = samples_out_data[159:144];
-    wire [15:0] samples_out_attribute_5 = samples_out_data[143:128];
-    wire [15:0] samples_out_attribute_6 = samples_out_data[127:112];
-    wire [15:0] samples_out_attribute_7 = samples_out_data[111:96];
-    wire [15:0] samples_out_attribute_8 = samples_out_data[95:80];
-    wire [15:0] samples_out_attribute_9 = samples_out_data[79:64];
-    wire [15:0] samples_out_attribute_10 = samples_out_data[63:48];
-    wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
-    wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
+    wire [15:0] samples_out_weight = samples_out_data[215:200];
+    wire [39:0] samples_out_weighted_depth = samples_out_data[199:160];
+    wire [23:0] samples_out_depth_low = samples_out_data[159:136];
+    wire [23:0] samples_out_depth_high = samples_out_data[135:112];
+    wire [15:0] samples_out_attribute_0 = samples_out_data[111:96];
+    wire [15:0] samples_out_attribute_1 = samples_out_data[95:80];
+    wire [15:0] samples_out_attribute_2 = samples_out_data[79:64];
+    wire [15:0] samples_out_attribute_3 = samples_out_data[63:48];
+    wire [15:0] samples_out_attribute_4 = samples_out_data[47:32];
+    wire [15:0] samples_out_attribute_5 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
     wire collisions_both = may_issue_inside & (places_out_data[8:0] == {head_slot, head_pixel});
     wire [7:0] collisions_bits = {
@@ -2074,11 +1605,10 @@ module splat_accumulator (
     assign {
         drained_weight, drained_depth, drained_peak, drained_attribute_0, drained_attribute_1,
         drained_attribute_2, drained_attribute_3, drained_attribute_4, drained_attribute_5,
-        drained_attribute_6, drained_attribute_7, drained_attribute_8, drained_attribute_9,
-        drained_attribute_10, drained_attribute_11, drained_attribute_12, drained_cardinal_0
+        drained_cardinal_0
     } = drained_word;
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_0_pixels (
+    memory_1w1r_unordered #(.WIDTH(208), .DEPTH(256)) bank_0_pixels (
         .clk(clk), .write(writes_0),
         .write_address(sample_ends_in_0 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
         .write_data(sample_ends_in_0 ? result : bank_1_pixels_data_bits),
@@ -2087,7 +1617,7 @@ module splat_accumulator (
         .read_data(bank_0_read)
     );
 
-    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(256)) bank_1_pixels (
+    memory_1w1r_unordered #(.WIDTH(208), .DEPTH(256)) bank_1_pixels (
         .clk(clk), .write(writes_1),
         .write_address(sample_ends_in_1 ? bank_1_pixels_address_bits : bank_1_pixels_address_bits_2),
         .write_data(sample_ends_in_1 ? result : bank_1_pixels_data_bits),
@@ -2102,72 +1632,43 @@ module splat_accumulator (
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
-    stream_fifo_d64_w328 samples (
+    stream_fifo_d64_w216 samples (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
             in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
-            in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7,
-            in_attribute_8, in_attribute_9, in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
+            in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5, in_cardinal_0
         }),
         .out_valid(samples_out_valid), .out_ready(head_takes), .out_data(samples_out_data)
     );
 
     splat_depth_test depth_test (
-        .clk(clk), .rst(rst), .weight(stored[319:292]), .depth(stored[291:240]),
+        .clk(clk), .rst(rst), .weight(stored[207:180]), .depth(stored[179:128]),
         .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
     float_add_s5_f16 add_attribute_0 (
-        .clk(clk), .enable(1'd1), .a(stored[223:208]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
+        .clk(clk), .enable(1'd1), .a(stored[111:96]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
     );
 
     float_add_s5_f16 add_attribute_1 (
-        .clk(clk), .enable(1'd1), .a(stored[207:192]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
+        .clk(clk), .enable(1'd1), .a(stored[95:80]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
     );
 
     float_add_s5_f16 add_attribute_2 (
-        .clk(clk), .enable(1'd1), .a(stored[191:176]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
+        .clk(clk), .enable(1'd1), .a(stored[79:64]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
     );
 
     float_add_s5_f16 add_attribute_3 (
-        .clk(clk), .enable(1'd1), .a(stored[175:160]), .b(sample_3_attribute_3), .y(add_attribute_3_y)
+        .clk(clk), .enable(1'd1), .a(stored[63:48]), .b(sample_3_attribute_3), .y(add_attribute_3_y)
     );
 
     float_add_s5_f16 add_attribute_4 (
-        .clk(clk), .enable(1'd1), .a(stored[159:144]), .b(sample_3_attribute_4), .y(add_attribute_4_y)
+        .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_4), .y(add_attribute_4_y)
     );
 
     float_add_s5_f16 add_attribute_5 (
-        .clk(clk), .enable(1'd1), .a(stored[143:128]), .b(sample_3_attribute_5), .y(add_attribute_5_y)
-    );
-
-    float_add_s5_f16 add_attribute_6 (
-        .clk(clk), .enable(1'd1), .a(stored[127:112]), .b(sample_3_attribute_6), .y(add_attribute_6_y)
-    );
-
-    float_add_s5_f16 add_attribute_7 (
-        .clk(clk), .enable(1'd1), .a(stored[111:96]), .b(sample_3_attribute_7), .y(add_attribute_7_y)
-    );
-
-    float_add_s5_f16 add_attribute_8 (
-        .clk(clk), .enable(1'd1), .a(stored[95:80]), .b(sample_3_attribute_8), .y(add_attribute_8_y)
-    );
-
-    float_add_s5_f16 add_attribute_9 (
-        .clk(clk), .enable(1'd1), .a(stored[79:64]), .b(sample_3_attribute_9), .y(add_attribute_9_y)
-    );
-
-    float_add_s5_f16 add_attribute_10 (
-        .clk(clk), .enable(1'd1), .a(stored[63:48]), .b(sample_3_attribute_10), .y(add_attribute_10_y)
-    );
-
-    float_add_s5_f16 add_attribute_11 (
-        .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_11), .y(add_attribute_11_y)
-    );
-
-    float_add_s5_f16 add_attribute_12 (
-        .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_12), .y(add_attribute_12_y)
+        .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_5), .y(add_attribute_5_y)
     );
 
     always @(posedge clk) begin
@@ -2255,7 +1756,7 @@ module splat_accumulator (
         bank_1_pixel <= bank_1_read;
         drained_pixel_1 <= drain_pixel;
         drained_pixel_2 <= drained_pixel_1;
-        stored <= {320{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
+        stored <= {208{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -2266,13 +1767,6 @@ module splat_accumulator (
         sample_1_attribute_3 <= head_attribute_3;
         sample_1_attribute_4 <= head_attribute_4;
         sample_1_attribute_5 <= head_attribute_5;
-        sample_1_attribute_6 <= head_attribute_6;
-        sample_1_attribute_7 <= head_attribute_7;
-        sample_1_attribute_8 <= head_attribute_8;
-        sample_1_attribute_9 <= head_attribute_9;
-        sample_1_attribute_10 <= head_attribute_10;
-        sample_1_attribute_11 <= head_attribute_11;
-        sample_1_attribute_12 <= head_attribute_12;
         sample_1_cardinal_0 <= head_cardinal_0;
         sample_2_weight <= sample_1_weight;
         sample_2_weighted_depth <= sample_1_weighted_depth;
@@ -2284,13 +1778,6 @@ module splat_accumulator (
         sample_2_attribute_3 <= sample_1_attribute_3;
         sample_2_attribute_4 <= sample_1_attribute_4;
         sample_2_attribute_5 <= sample_1_attribute_5;
-        sample_2_attribute_6 <= sample_1_attribute_6;
-        sample_2_attribute_7 <= sample_1_attribute_7;
-        sample_2_attribute_8 <= sample_1_attribute_8;
-        sample_2_attribute_9 <= sample_1_attribute_9;
-        sample_2_attribute_10 <= sample_1_attribute_10;
-        sample_2_attribute_11 <= sample_1_attribute_11;
-        sample_2_attribute_12 <= sample_1_attribute_12;
         sample_2_cardinal_0 <= sample_1_cardinal_0;
         sample_3_weight <= sample_2_weight;
         sample_3_weighted_depth <= sample_2_weighted_depth;
@@ -2302,19 +1789,12 @@ module splat_accumulator (
         sample_3_attribute_3 <= sample_2_attribute_3;
         sample_3_attribute_4 <= sample_2_attribute_4;
         sample_3_attribute_5 <= sample_2_attribute_5;
-        sample_3_attribute_6 <= sample_2_attribute_6;
-        sample_3_attribute_7 <= sample_2_attribute_7;
-        sample_3_attribute_8 <= sample_2_attribute_8;
-        sample_3_attribute_9 <= sample_2_attribute_9;
-        sample_3_attribute_10 <= sample_2_attribute_10;
-        sample_3_attribute_11 <= sample_2_attribute_11;
-        sample_3_attribute_12 <= sample_2_attribute_12;
         sample_3_cardinal_0 <= sample_2_cardinal_0;
         late_fail_4 <= depth_test_fail;
         late_fail_5 <= late_fail_4;
         late_pass_4 <= depth_test_pass;
         late_pass_5 <= late_pass_4;
-        weight_sum_4 <= {1'd0, stored[319:292]} + {13'd0, sample_3_weight};
+        weight_sum_4 <= {1'd0, stored[207:180]} + {13'd0, sample_3_weight};
         weight_sum_5 <= weight_sum_4;
         weight_sum_6 <= weight_sum_5;
         weight_sum_7 <= weight_sum_6;
@@ -2324,7 +1804,7 @@ module splat_accumulator (
         weight_6 <= weight_5;
         weight_7 <= weight_6;
         weight_8 <= weight_7;
-        depth_sum_4 <= stored[291:240] + {12'd0, sample_3_weighted_depth};
+        depth_sum_4 <= stored[179:128] + {12'd0, sample_3_weighted_depth};
         depth_sum_5 <= depth_sum_4;
         depth_sum_6 <= depth_sum_5;
         depth_sum_7 <= depth_sum_6;
@@ -2334,12 +1814,12 @@ module splat_accumulator (
         depth_6 <= depth_5;
         depth_7 <= depth_6;
         depth_8 <= depth_7;
-        stronger_4 <= stored[239:224] < sample_3_weight;
+        stronger_4 <= stored[127:112] < sample_3_weight;
         stronger_5 <= stronger_4;
         stronger_6 <= stronger_5;
         stronger_7 <= stronger_6;
         stronger_8 <= stronger_7;
-        peak_4 <= stored[239:224];
+        peak_4 <= stored[127:112];
         peak_5 <= peak_4;
         peak_6 <= peak_5;
         peak_7 <= peak_6;
@@ -2374,41 +1854,6 @@ module splat_accumulator (
         attribute_5_6 <= attribute_5_5;
         attribute_5_7 <= attribute_5_6;
         attribute_5_8 <= attribute_5_7;
-        attribute_6_4 <= sample_3_attribute_6;
-        attribute_6_5 <= attribute_6_4;
-        attribute_6_6 <= attribute_6_5;
-        attribute_6_7 <= attribute_6_6;
-        attribute_6_8 <= attribute_6_7;
-        attribute_7_4 <= sample_3_attribute_7;
-        attribute_7_5 <= attribute_7_4;
-        attribute_7_6 <= attribute_7_5;
-        attribute_7_7 <= attribute_7_6;
-        attribute_7_8 <= attribute_7_7;
-        attribute_8_4 <= sample_3_attribute_8;
-        attribute_8_5 <= attribute_8_4;
-        attribute_8_6 <= attribute_8_5;
-        attribute_8_7 <= attribute_8_6;
-        attribute_8_8 <= attribute_8_7;
-        attribute_9_4 <= sample_3_attribute_9;
-        attribute_9_5 <= attribute_9_4;
-        attribute_9_6 <= attribute_9_5;
-        attribute_9_7 <= attribute_9_6;
-        attribute_9_8 <= attribute_9_7;
-        attribute_10_4 <= sample_3_attribute_10;
-        attribute_10_5 <= attribute_10_4;
-        attribute_10_6 <= attribute_10_5;
-        attribute_10_7 <= attribute_10_6;
-        attribute_10_8 <= attribute_10_7;
-        attribute_11_4 <= sample_3_attribute_11;
-        attribute_11_5 <= attribute_11_4;
-        attribute_11_6 <= attribute_11_5;
-        attribute_11_7 <= attribute_11_6;
-        attribute_11_8 <= attribute_11_7;
-        attribute_12_4 <= sample_3_attribute_12;
-        attribute_12_5 <= attribute_12_4;
-        attribute_12_6 <= attribute_12_5;
-        attribute_12_7 <= attribute_12_6;
-        attribute_12_8 <= attribute_12_7;
         cardinal_0_4 <= sample_3_cardinal_0;
         cardinal_0_5 <= cardinal_0_4;
         cardinal_0_6 <= cardinal_0_5;
@@ -2434,13 +1879,6 @@ module splat_accumulator (
             head_attribute_3 <= samples_out_attribute_3;
             head_attribute_4 <= samples_out_attribute_4;
             head_attribute_5 <= samples_out_attribute_5;
-            head_attribute_6 <= samples_out_attribute_6;
-            head_attribute_7 <= samples_out_attribute_7;
-            head_attribute_8 <= samples_out_attribute_8;
-            head_attribute_9 <= samples_out_attribute_9;
-            head_attribute_10 <= samples_out_attribute_10;
-            head_attribute_11 <= samples_out_attribute_11;
-            head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
         if (changes_0) begin
@@ -2625,15 +2063,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 328
-module stream_fifo_d64_w328 (
+// width = 216
+module stream_fifo_d64_w216 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [327:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [327:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [215:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [215:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    wire [327:0] item;
+    wire [215:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -2643,7 +2081,7 @@ module stream_fifo_d64_w328 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(328), .DEPTH(64)) entries (
+    memory_1w1r_unordered #(.WIDTH(216), .DEPTH(64)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -2757,13 +2195,6 @@ module splat_weighting (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     output wire out_valid, input wire out_ready,  // Samples with their contributions.
     output wire out_last,  // Closes its copy.
@@ -2780,13 +2211,6 @@ module splat_weighting (
     output wire [15:0] out_attribute_3,  // Weighted continuous attributes, and cardinal ones as they are.
     output wire [15:0] out_attribute_4,  // Weighted continuous attributes, and cardinal ones as they are.
     output wire [15:0] out_attribute_5,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_6,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_7,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_8,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_9,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_10,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
-    output wire [15:0] out_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
     output wire [15:0] out_cardinal_0  // Weighted continuous attributes, and cardinal ones as they are.
 );
     (* ram_style = "distributed" *)
@@ -2802,26 +2226,18 @@ module splat_weighting (
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
     reg [15:0] attribute_4_d1, attribute_4_d2, attribute_4_d3, attribute_4_d4, attribute_5_d1, attribute_5_d2;
-    reg [15:0] attribute_5_d3, attribute_5_d4, attribute_6_d1, attribute_6_d2, attribute_6_d3, attribute_6_d4;
-    reg [15:0] attribute_7_d1, attribute_7_d2, attribute_7_d3, attribute_7_d4, attribute_8_d1, attribute_8_d2;
-    reg [15:0] attribute_8_d3, attribute_8_d4, attribute_9_d1, attribute_9_d2, attribute_9_d3, attribute_9_d4;
-    reg [15:0] attribute_10_d1, attribute_10_d2, attribute_10_d3, attribute_10_d4, attribute_11_d1, attribute_11_d2;
-    reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
+    reg [15:0] attribute_5_d3, attribute_5_d4;
     reg [9:0] in_flight;
     reg left;
 
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y;
-    wire [15:0] mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y;
-    wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
-    wire [15:0] mul_f16_unit_copy13_y;
+    wire [15:0] mul_f16_unit_copy5_y, mul_f16_unit_copy6_y;
     wire queue_1_in_ready;
     wire [114:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
-    wire [127:0] queue_2_out_data;
-    wire queue_3_in_ready, queue_3_out_valid;
-    wire [95:0] queue_3_out_data;
+    wire [111:0] queue_2_out_data;
 
     assign in_ready = ~credits[4];
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
@@ -2842,12 +2258,8 @@ module splat_weighting (
     } = queue_1_out_data;
     assign {
         out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5,
-        out_attribute_6, out_attribute_7
-    } = queue_2_out_data;
-    assign {
-        out_attribute_8, out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12,
         out_cardinal_0
-    } = queue_3_out_data;
+    } = queue_2_out_data;
 
     float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u16q16_f16_unit_y));
 
@@ -2884,41 +2296,6 @@ module splat_weighting (
         .y(mul_f16_unit_copy6_y)
     );
 
-    float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
-        .y(mul_f16_unit_copy7_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
-        .y(mul_f16_unit_copy8_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
-        .y(mul_f16_unit_copy9_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
-        .y(mul_f16_unit_copy10_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
-        .y(mul_f16_unit_copy11_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
-        .y(mul_f16_unit_copy12_y)
-    );
-
-    float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
-        .y(mul_f16_unit_copy13_y)
-    );
-
     stream_fifo_d14_w115_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
@@ -2928,22 +2305,13 @@ module splat_weighting (
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d14_w128_distributed queue_2 (
+    stream_fifo_d14_w112_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({
             mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
-            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, cardinal_0_d10
         }),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
-    );
-
-    stream_fifo_d14_w96_distributed queue_3 (
-        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
-        .in_data({
-            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
-            mul_f16_unit_copy13_y, cardinal_0_d10
-        }),
-        .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
     always @(posedge clk) begin
@@ -2989,34 +2357,6 @@ module splat_weighting (
         attribute_5_d2 <= attribute_5_d1;
         attribute_5_d3 <= attribute_5_d2;
         attribute_5_d4 <= attribute_5_d3;
-        attribute_6_d1 <= in_attribute_6;
-        attribute_6_d2 <= attribute_6_d1;
-        attribute_6_d3 <= attribute_6_d2;
-        attribute_6_d4 <= attribute_6_d3;
-        attribute_7_d1 <= in_attribute_7;
-        attribute_7_d2 <= attribute_7_d1;
-        attribute_7_d3 <= attribute_7_d2;
-        attribute_7_d4 <= attribute_7_d3;
-        attribute_8_d1 <= in_attribute_8;
-        attribute_8_d2 <= attribute_8_d1;
-        attribute_8_d3 <= attribute_8_d2;
-        attribute_8_d4 <= attribute_8_d3;
-        attribute_9_d1 <= in_attribute_9;
-        attribute_9_d2 <= attribute_9_d1;
-        attribute_9_d3 <= attribute_9_d2;
-        attribute_9_d4 <= attribute_9_d3;
-        attribute_10_d1 <= in_attribute_10;
-        attribute_10_d2 <= attribute_10_d1;
-        attribute_10_d3 <= attribute_10_d2;
-        attribute_10_d4 <= attribute_10_d3;
-        attribute_11_d1 <= in_attribute_11;
-        attribute_11_d2 <= attribute_11_d1;
-        attribute_11_d3 <= attribute_11_d2;
-        attribute_11_d4 <= attribute_11_d3;
-        attribute_12_d1 <= in_attribute_12;
-        attribute_12_d2 <= attribute_12_d1;
-        attribute_12_d3 <= attribute_12_d2;
-        attribute_12_d4 <= attribute_12_d3;
     end
     always @(posedge clk) begin
         delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
@@ -3027,16 +2367,14 @@ module splat_weighting (
         delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
         queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
-        queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
-        queue_3_in_step: assert (queue_3_out_valid == out_valid);
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -3044,15 +2382,9 @@ module splat_weighting (
         if (!(~kept | queue_2_in_ready)) begin
             $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(~kept | queue_3_in_ready)) begin
-            $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
-        end
         if (!(queue_2_out_valid == out_valid)) begin
             $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
-        if (!(queue_3_out_valid == out_valid)) begin
-            $display("assertion failed: queue_3_in_step in %m"); $stop;
-        end
 `endif
     end
 `endif
@@ -3060,74 +2392,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 14
-// width = 96
+// width = 112
 // storage = distributed
-module stream_fifo_d14_w96_distributed (
+module stream_fifo_d14_w112_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [95:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [95:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [111:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [111:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [95:0] entries [0:13];
+    reg [111:0] entries [0:13];
     reg [3:0] held, waiting, write_address, read_address;
-    reg [95:0] item;
-
-    wire has_room = ~(held == 4'd14);
-    wire push = in_valid & has_room;
-    wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
-
-    assign in_ready = has_room;
-    assign out_data = item;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
-            write_address <= 4'd0;
-            read_address <= 4'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
-        end
-    end
-    always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
-        if (fetch) item <= entries[read_address];
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        held_in_range: assert (held <= 4'd14);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
-`else
-        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
-            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue in a memory with a registered output.
-// depth = 14
-// width = 128
-// storage = distributed
-module stream_fifo_d14_w128_distributed (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
-);
-    (* ram_style = "distributed" *)
-    reg [127:0] entries [0:13];
-    reg [3:0] held, waiting, write_address, read_address;
-    reg [127:0] item;
+    reg [111:0] item;
 
     wire has_room = ~(held == 4'd14);
     wire push = in_valid & has_room;
@@ -3450,13 +2725,6 @@ module splat_rasterizer (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
@@ -3483,13 +2751,6 @@ module splat_rasterizer (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0,  // Attributes.
     input  wire [23:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
     output reg  event_sample,  // The rasterizer evaluated a sample.
@@ -3520,7 +2781,7 @@ module splat_rasterizer (
     reg sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
 
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
-    wire [295:0] shared_out_data;
+    wire [183:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
@@ -3565,8 +2826,7 @@ module splat_rasterizer (
     assign in_ready = take;
     assign {
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
+        out_attribute_3, out_attribute_4, out_attribute_5, out_cardinal_0
     } = shared_out_data;
 
     splat_evaluation evaluation (
@@ -3580,12 +2840,11 @@ module splat_rasterizer (
         .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
-    stream_fifo_d64_w296 shared (
+    stream_fifo_d64_w184 shared (
         .clk(clk), .rst(rst), .in_valid(load), .in_ready(shared_in_ready),
         .in_data({
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
-            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
-            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
+            in_attribute_4, in_attribute_5, in_cardinal_0
         }),
         .out_valid(shared_out_valid), .out_ready(out_ready & out_valid & out_last),
         .out_data(shared_out_data)
@@ -3669,15 +2928,15 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 296
-module stream_fifo_d64_w296 (
+// width = 184
+module stream_fifo_d64_w184 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [295:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [295:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [183:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [183:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    wire [295:0] item;
+    wire [183:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -3687,7 +2946,7 @@ module stream_fifo_d64_w296 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(296), .DEPTH(64)) entries (
+    memory_1w1r_unordered #(.WIDTH(184), .DEPTH(64)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -4833,13 +4092,6 @@ module splat_tile_cache (
     output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
@@ -4876,13 +4128,6 @@ module splat_tile_cache (
     input  wire [15:0] drained_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drained_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drained_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] drained_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drained_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire write_surface,  // The frame is one of those with odd numbers: two have a place in the buffer.
@@ -4897,13 +4142,6 @@ module splat_tile_cache (
     output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire data_valid, output wire data_ready,  // The pixels requested, in order.
     input  wire [27:0] data_weight,  // Sum of weights.
@@ -4915,13 +4153,6 @@ module splat_tile_cache (
     input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire fill_valid,  // Write to a slot, until it is carried out.
     output wire [2:0] fill_slot,  // Slot of the tile cache.
@@ -4935,13 +4166,6 @@ module splat_tile_cache (
     output reg  [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
     reg head_valid;
@@ -5041,7 +4265,7 @@ module splat_tile_cache (
     wire out_queue_in_ready;
     wire [51:0] out_queue_out_data;
     wire pixel_queue_in_ready;
-    wire [338:0] pixel_queue_out_data;
+    wire [226:0] pixel_queue_out_data;
     wire gone_tiles_in_ready, gone_tiles_out_valid;
     wire [11:0] gone_tiles_out_data;
     wire read_queue_in_ready;
@@ -5049,7 +4273,7 @@ module splat_tile_cache (
     wire asked_runs_in_ready, asked_runs_out_valid;
     wire [22:0] asked_runs_out_data;
     wire write_queue_in_ready;
-    wire [338:0] write_queue_out_data;
+    wire [226:0] write_queue_out_data;
 
     wire [63:0] mask_that_comes = {64{comes}} & mask;
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
@@ -5365,8 +4589,7 @@ module splat_tile_cache (
     assign {
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
         pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
-        pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
-        pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
+        pixel_cardinal_0
     } = pixel_queue_out_data;
     assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
     assign full = clearing | (whole_frames[1] | (whole_frames[0] & frame_is_given));
@@ -5381,8 +4604,7 @@ module splat_tile_cache (
     assign {
         write_surface, write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0,
         write_attribute_1, write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5,
-        write_attribute_6, write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10,
-        write_attribute_11, write_attribute_12, write_cardinal_0
+        write_cardinal_0
     } = write_queue_out_data;
     assign data_ready = takes_data;
     assign fill_valid = filling;
@@ -5423,13 +4645,12 @@ module splat_tile_cache (
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_skid_w339 pixel_queue (
+    stream_skid_w227 pixel_queue (
         .clk(clk), .rst(rst), .in_valid(closes | visible), .in_ready(pixel_queue_in_ready),
         .in_data({
             closes, asked_runs_out_tile, coming_pixel, data_weight, data_depth, data_peak, data_attribute_0,
             data_attribute_1, data_attribute_2, data_attribute_3, data_attribute_4, data_attribute_5,
-            data_attribute_6, data_attribute_7, data_attribute_8, data_attribute_9, data_attribute_10,
-            data_attribute_11, data_attribute_12, data_cardinal_0
+            data_cardinal_0
         }),
         .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
@@ -5452,14 +4673,12 @@ module splat_tile_cache (
         .out_valid(asked_runs_out_valid), .out_ready(run_ends), .out_data(asked_runs_out_data)
     );
 
-    stream_fifo_d8_w339_distributed write_queue (
+    stream_fifo_d8_w227_distributed write_queue (
         .clk(clk), .rst(rst), .in_valid(drained_valid), .in_ready(write_queue_in_ready),
         .in_data({
             surface, goes_tile, drained_pixel, drained_weight, drained_depth, drained_peak, drained_attribute_0,
             drained_attribute_1, drained_attribute_2, drained_attribute_3, drained_attribute_4,
-            drained_attribute_5, drained_attribute_6, drained_attribute_7, drained_attribute_8,
-            drained_attribute_9, drained_attribute_10, drained_attribute_11, drained_attribute_12,
-            drained_cardinal_0
+            drained_attribute_5, drained_cardinal_0
         }),
         .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
@@ -5699,13 +4918,6 @@ module splat_tile_cache (
             fill_attribute_3 <= data_attribute_3;
             fill_attribute_4 <= data_attribute_4;
             fill_attribute_5 <= data_attribute_5;
-            fill_attribute_6 <= data_attribute_6;
-            fill_attribute_7 <= data_attribute_7;
-            fill_attribute_8 <= data_attribute_8;
-            fill_attribute_9 <= data_attribute_9;
-            fill_attribute_10 <= data_attribute_10;
-            fill_attribute_11 <= data_attribute_11;
-            fill_attribute_12 <= data_attribute_12;
             fill_cardinal_0 <= data_cardinal_0;
         end
     end
@@ -5763,18 +4975,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 8
-// width = 339
+// width = 227
 // storage = distributed
-module stream_fifo_d8_w339_distributed (
+module stream_fifo_d8_w227_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [226:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [226:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [338:0] entries [0:7];
+    reg [226:0] entries [0:7];
     reg [3:0] held, waiting;
     reg [2:0] write_address, read_address;
-    reg [338:0] item;
+    reg [226:0] item;
 
     wire has_room = ~held[3];
     wire push = in_valid & has_room;
@@ -5979,14 +5191,14 @@ module stream_fifo_d16_w12_distributed (
 endmodule
 
 // Queue of two in registers.
-// width = 339
-module stream_skid_w339 (
+// width = 227
+module stream_skid_w227 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [226:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [226:0] out_data
 );
     reg second_valid;
-    reg [338:0] head, second;
+    reg [226:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -6578,13 +5790,6 @@ module splat_payloads (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [2:0] in_left,  // First column.
     input  wire [2:0] in_right,  // Last column.
@@ -6643,13 +5848,6 @@ module splat_payloads (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
@@ -6670,7 +5868,7 @@ module splat_payloads (
     reg [8:0] place;
     reg [12:0] copies;
     reg open, writing, word;
-    reg [280:0] word_1;
+    reg [224:0] word_1;
     reg held_end;
     reg [2:0] held_left;  // First column.
     reg [2:0] held_right;  // Last column.
@@ -6693,8 +5891,8 @@ module splat_payloads (
     reg [11:0] current_tile;  // Tile index: row above column.
     reg [8:0] current_splat;  // Place of its splat's payload.
     reg [2:0] current_slot;  // Slot of the tile cache.
-    wire [280:0] shown_word;
-    reg [280:0] kept_0;
+    wire [224:0] shown_word;
+    reg [224:0] kept_0;
     reg [23:0] held_out_center_x;  // Projected center (px), the origin of what follows.
     reg [23:0] held_out_center_y;  // Projected center (px), the origin of what follows.
     reg [23:0] held_out_ax;  // `A` in x.
@@ -6718,13 +5916,6 @@ module splat_payloads (
     reg [15:0] held_out_attribute_3;  // Attributes.
     reg [15:0] held_out_attribute_4;  // Attributes.
     reg [15:0] held_out_attribute_5;  // Attributes.
-    reg [15:0] held_out_attribute_6;  // Attributes.
-    reg [15:0] held_out_attribute_7;  // Attributes.
-    reg [15:0] held_out_attribute_8;  // Attributes.
-    reg [15:0] held_out_attribute_9;  // Attributes.
-    reg [15:0] held_out_attribute_10;  // Attributes.
-    reg [15:0] held_out_attribute_11;  // Attributes.
-    reg [15:0] held_out_attribute_12;  // Attributes.
     reg [15:0] held_out_cardinal_0;  // Attributes.
     reg [2:0] held_out_left;  // First column.
     reg [2:0] held_out_right;  // Last column.
@@ -6762,9 +5953,9 @@ module splat_payloads (
 
     wire ready = ~holds & (closes_in_ready & (has_free | passes));
     wire copy_shown = holds & (~writing | word);
-    wire [280:0] payload_words_data_bits = {
+    wire [224:0] payload_words_data_bits = {
         in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_sight_negative,
-        in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth[23:8]
+        in_sight_near[22:15]
     };
     wire out_room = ~out_holds | out_ready;
     wire leaves = current_valid & beat & out_room;
@@ -6835,13 +6026,6 @@ module splat_payloads (
     assign out_attribute_3 = held_out_attribute_3;
     assign out_attribute_4 = held_out_attribute_4;
     assign out_attribute_5 = held_out_attribute_5;
-    assign out_attribute_6 = held_out_attribute_6;
-    assign out_attribute_7 = held_out_attribute_7;
-    assign out_attribute_8 = held_out_attribute_8;
-    assign out_attribute_9 = held_out_attribute_9;
-    assign out_attribute_10 = held_out_attribute_10;
-    assign out_attribute_11 = held_out_attribute_11;
-    assign out_attribute_12 = held_out_attribute_12;
     assign out_cardinal_0 = held_out_cardinal_0;
     assign out_left = held_out_left;
     assign out_right = held_out_right;
@@ -6854,7 +6038,7 @@ module splat_payloads (
     assign out_tile = held_out_tile;
     assign out_slot = held_out_slot;
 
-    memory_1w1r_unordered #(.WIDTH(281), .DEPTH(1024), .SLICE(18)) payload_words (
+    memory_1w1r_unordered #(.WIDTH(225), .DEPTH(1024), .SLICE(18)) payload_words (
         .clk(clk), .write(writing | (~holds & has_free)), .write_address({word, writing ? place : free}),
         .write_data(word ? word_1 : payload_words_data_bits),
         .read(advance_or_not_beat),
@@ -6942,9 +6126,9 @@ module splat_payloads (
         follows_earliest <= earlier_valid & (earlier_place == reading_place);
         if (~holds) begin
             word_1 <= {
-                in_depth[7:0], in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2,
-                in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8,
-                in_attribute_9, in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, 1'd0
+                in_sight_near[14:0], in_sight_far, in_sight_turned, in_sight_disc, in_depth, in_depth_low,
+                in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3, in_attribute_4,
+                in_attribute_5, in_cardinal_0, 1'd0
             };
             held_end <= in_end;
             held_left <= in_left;
@@ -6973,36 +6157,29 @@ module splat_payloads (
         end
         if (~beat) kept_0 <= shown_word;
         if (out_room) begin
-            held_out_center_x <= kept_0[280:257];
-            held_out_center_y <= kept_0[256:233];
-            held_out_ax <= kept_0[232:209];
-            held_out_bx <= kept_0[208:185];
-            held_out_ay <= kept_0[184:161];
-            held_out_by <= kept_0[160:137];
-            held_out_delta <= kept_0[136:113];
-            held_out_mx <= kept_0[112:89];
-            held_out_my <= kept_0[88:65];
-            held_out_sight_negative <= kept_0[64];
-            held_out_sight_near <= kept_0[63:41];
-            held_out_sight_far <= kept_0[40:18];
-            held_out_sight_turned <= kept_0[17];
-            held_out_sight_disc <= kept_0[16];
-            held_out_depth <= {kept_0[15:0], shown_word[280:273]};
-            held_out_depth_low <= shown_word[272:249];
-            held_out_depth_high <= shown_word[248:225];
-            held_out_attribute_0 <= shown_word[224:209];
-            held_out_attribute_1 <= shown_word[208:193];
-            held_out_attribute_2 <= shown_word[192:177];
-            held_out_attribute_3 <= shown_word[176:161];
-            held_out_attribute_4 <= shown_word[160:145];
-            held_out_attribute_5 <= shown_word[144:129];
-            held_out_attribute_6 <= shown_word[128:113];
-            held_out_attribute_7 <= shown_word[112:97];
-            held_out_attribute_8 <= shown_word[96:81];
-            held_out_attribute_9 <= shown_word[80:65];
-            held_out_attribute_10 <= shown_word[64:49];
-            held_out_attribute_11 <= shown_word[48:33];
-            held_out_attribute_12 <= shown_word[32:17];
+            held_out_center_x <= kept_0[224:201];
+            held_out_center_y <= kept_0[200:177];
+            held_out_ax <= kept_0[176:153];
+            held_out_bx <= kept_0[152:129];
+            held_out_ay <= kept_0[128:105];
+            held_out_by <= kept_0[104:81];
+            held_out_delta <= kept_0[80:57];
+            held_out_mx <= kept_0[56:33];
+            held_out_my <= kept_0[32:9];
+            held_out_sight_negative <= kept_0[8];
+            held_out_sight_near <= {kept_0[7:0], shown_word[224:210]};
+            held_out_sight_far <= shown_word[209:187];
+            held_out_sight_turned <= shown_word[186];
+            held_out_sight_disc <= shown_word[185];
+            held_out_depth <= shown_word[184:161];
+            held_out_depth_low <= shown_word[160:137];
+            held_out_depth_high <= shown_word[136:113];
+            held_out_attribute_0 <= shown_word[112:97];
+            held_out_attribute_1 <= shown_word[96:81];
+            held_out_attribute_2 <= shown_word[80:65];
+            held_out_attribute_3 <= shown_word[64:49];
+            held_out_attribute_4 <= shown_word[48:33];
+            held_out_attribute_5 <= shown_word[32:17];
             held_out_cardinal_0 <= shown_word[16:1];
             held_out_left <= current_left;
             held_out_right <= current_right;
@@ -7202,13 +6379,6 @@ module splat_splitter (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [8:0] in_left,  // First column.
     input  wire [8:0] in_right,  // Last column.
@@ -7244,13 +6414,6 @@ module splat_splitter (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [2:0] out_left,  // First column.
     output wire [2:0] out_right,  // Last column.
@@ -7287,13 +6450,6 @@ module splat_splitter (
     reg [15:0] splat_attribute_3;  // Attributes.
     reg [15:0] splat_attribute_4;  // Attributes.
     reg [15:0] splat_attribute_5;  // Attributes.
-    reg [15:0] splat_attribute_6;  // Attributes.
-    reg [15:0] splat_attribute_7;  // Attributes.
-    reg [15:0] splat_attribute_8;  // Attributes.
-    reg [15:0] splat_attribute_9;  // Attributes.
-    reg [15:0] splat_attribute_10;  // Attributes.
-    reg [15:0] splat_attribute_11;  // Attributes.
-    reg [15:0] splat_attribute_12;  // Attributes.
     reg [15:0] splat_cardinal_0;  // Attributes.
     reg [8:0] splat_left;  // First column.
     reg [8:0] splat_right;  // Last column.
@@ -7312,7 +6468,7 @@ module splat_splitter (
     reg first;
 
     wire out_queue_in_ready;
-    wire [602:0] out_queue_out_data;
+    wire [490:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & open;
     wire step = out_queue_in_ready & busy;
@@ -7395,23 +6551,19 @@ module splat_splitter (
         out_end, out_first, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx,
         out_my, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
-        out_last_difference, out_tile
+        out_attribute_3, out_attribute_4, out_attribute_5, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w603 out_queue (
+    stream_half_buffer_w491 out_queue (
         .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
-            splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
-            splat_attribute_11, splat_attribute_12, splat_cardinal_0, left, right,
-            out_queue_in_data_either_3[2:0], out_queue_in_data_either_6[2:0], first_sum, last_sum[3:0],
-            first_difference, last_difference[3:0], row, column
+            splat_cardinal_0, left, right, out_queue_in_data_either_3[2:0], out_queue_in_data_either_6[2:0],
+            first_sum, last_sum[3:0], first_difference, last_difference[3:0], row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -7451,13 +6603,6 @@ module splat_splitter (
             splat_attribute_3 <= in_attribute_3;
             splat_attribute_4 <= in_attribute_4;
             splat_attribute_5 <= in_attribute_5;
-            splat_attribute_6 <= in_attribute_6;
-            splat_attribute_7 <= in_attribute_7;
-            splat_attribute_8 <= in_attribute_8;
-            splat_attribute_9 <= in_attribute_9;
-            splat_attribute_10 <= in_attribute_10;
-            splat_attribute_11 <= in_attribute_11;
-            splat_attribute_12 <= in_attribute_12;
             splat_cardinal_0 <= in_cardinal_0;
             splat_left <= in_left;
             splat_right <= in_right;
@@ -7497,14 +6642,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 603
-module stream_half_buffer_w603 (
+// width = 491
+module stream_half_buffer_w491 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [602:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [602:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [490:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [490:0] out_data
 );
     reg full;
-    reg [602:0] item;
+    reg [490:0] item;
 
     assign in_ready = ~full;
 
@@ -7540,13 +6685,6 @@ module splat_setup (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [23:0] near_plane,  // Near plane.
     input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
@@ -7583,13 +6721,6 @@ module splat_setup (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0,  // Attributes.
     output wire [8:0] out_left,  // First column.
     output wire [8:0] out_right,  // Last column.
@@ -7613,9 +6744,7 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [96:0] delay_21_from_0 [0:19];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_21_from_0_copy2 [0:19];
-    (* ram_style = "distributed" *)
-    reg [31:0] delay_21_from_0_copy3 [0:19];
+    reg [15:0] delay_21_from_0_copy2 [0:19];
     (* ram_style = "distributed" *)
     reg [24:0] delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
@@ -7674,11 +6803,8 @@ module splat_setup (
     reg [7:0] phases_3;
     reg [4:0] delay_21_from_0_pointer;
     reg [96:0] delay_21_from_0_out;
-    reg [7:0] phases_4;
     reg [4:0] delay_21_from_0_copy2_pointer;
-    reg [95:0] delay_21_from_0_copy2_out;
-    reg [4:0] delay_21_from_0_copy3_pointer;
-    reg [31:0] delay_21_from_0_copy3_out;
+    reg [15:0] delay_21_from_0_copy2_out;
     reg [2:0] delay_6_from_1_pointer;
     reg [24:0] delay_6_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
@@ -7722,9 +6848,9 @@ module splat_setup (
     reg [3:0] delay_13_from_7_pointer;
     reg delay_13_from_7_out;
     reg [23:0] center_x_d1, center_y_d1;
-    reg [7:0] phases_5;
+    reg [7:0] phases_4;
     reg [23:0] center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
-    reg [7:0] phases_6;
+    reg [7:0] phases_5;
     reg [23:0] tangent2_y_d1, tangent2_z_d1;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
@@ -7782,6 +6908,7 @@ module splat_setup (
     reg [14:0] lowered_chosen_bits_d1_copy12;
     reg [7:0] beta_chosen_d1;
     reg lowered_chosen_sign_d1_copy6;
+    reg [7:0] phases_6;
     reg [23:0] beta_joined_d1, beta_joined_d2;
     reg not_turned_d1, not_turned_d2, not_turned_d3, not_turned_d4, not_turned_d5, not_turned_d6;
     reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
@@ -7795,27 +6922,25 @@ module splat_setup (
     reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
     reg sight_disc_out_d14, sight_disc_out_d15, sight_disc_out_d16;
     reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
-    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6;
+    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6, center_x_d7, center_x_d8;
+    reg [23:0] center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
+    reg [23:0] center_x_plus_first_x_joined_d1, f_times_scale_x_d1, first_x_joined_d1_copy2;
     reg [7:0] phases_7;
-    reg [23:0] center_x_d7, center_x_d8, center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1;
-    reg [23:0] a_x_squared_plus_b_x_squared_d1, a_x_squared_plus_b_x_squared_d2, h_x_product_d1;
-    reg [23:0] center_x_minus_t_x_d1, center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4;
-    reg [23:0] center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1, f_times_scale_x_d1;
-    reg [23:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1;
-    reg [23:0] last_x_chosen_d2;
+    reg [23:0] first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1, last_x_chosen_d2;
     reg [7:0] phases_8;
     reg [23:0] last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
     reg [23:0] filter_radius_plus_center_x_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
     reg [8:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2, last_x_d3, last_x_d4;
     reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d1_copy2, center_y_d2;
-    reg [23:0] center_y_d3, center_y_d4, center_y_d5;
+    reg [23:0] center_y_d3, center_y_d4, center_y_d5, center_y_d6, center_y_d7, center_y_d8, center_y_d9;
     reg [7:0] phases_9;
-    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1;
-    reg [23:0] a_y_squared_plus_b_y_squared_d1, a_y_squared_plus_b_y_squared_d2, h_y_product_d1;
-    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3;
-    reg [23:0] center_y_minus_t_y_d4, minus_h_y_d1, center_y_minus_first_y_joined_d1;
-    reg [23:0] center_y_plus_first_y_joined_d1;
+    reg [23:0] center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
+    reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
+    reg [23:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
     reg first_y_in_order_d1_copy3;
     reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3;
     reg [7:0] phases_10;
@@ -8048,19 +7173,17 @@ module splat_setup (
     wire queue_3_in_ready, queue_3_out_valid;
     wire [112:0] queue_3_out_data;
     wire queue_4_in_ready, queue_4_out_valid;
-    wire [127:0] queue_4_out_data;
+    wire [122:0] queue_4_out_data;
     wire queue_5_in_ready, queue_5_out_valid;
-    wire [125:0] queue_5_out_data;
-    wire queue_6_in_ready, queue_6_out_valid;
-    wire [29:0] queue_6_out_data;
+    wire [48:0] queue_5_out_data;
 
     assign in_ready = ~credits[5] & phases_1[0];
-    wire in_flight_20_and_phases_4_0 = in_flight[20] & phases_4[0];
+    wire in_flight_20_and_phases_7_0 = in_flight[20] & phases_7[0];
     wire end_d21 = delay_21_from_0_out[0];
     wire edge_on_or_visible_unequal = delay_13_from_7_out | visible_unequal_d1;
     wire visible = visible_both_d1_copy2 & edge_on_or_visible_unequal;
     wire end_or_visible = end_d21 | visible;
-    wire kept = in_flight_20_and_phases_4_0 & end_or_visible;
+    wire kept = in_flight_20_and_phases_7_0 & end_or_visible;
     wire [23:0] center_x_d15 = delay_6_from_0_out[23:0];
     wire [23:0] center_y_d15 = delay_5_from_0_out[47:24];
     wire [23:0] ax_out_d11 = delay_11_from_0_out[25:2];
@@ -8083,14 +7206,6 @@ module splat_setup (
     wire [15:0] attribute_3_d21 = delay_21_from_0_out[64:49];
     wire [15:0] attribute_4_d21 = delay_21_from_0_out[80:65];
     wire [15:0] attribute_5_d21 = delay_21_from_0_out[96:81];
-    wire [15:0] attribute_6_d21 = delay_21_from_0_copy2_out[15:0];
-    wire [15:0] attribute_7_d21 = delay_21_from_0_copy2_out[31:16];
-    wire [15:0] attribute_8_d21 = delay_21_from_0_copy2_out[47:32];
-    wire [15:0] attribute_9_d21 = delay_21_from_0_copy2_out[63:48];
-    wire [15:0] attribute_10_d21 = delay_21_from_0_copy2_out[79:64];
-    wire [15:0] attribute_11_d21 = delay_21_from_0_copy2_out[95:80];
-    wire [15:0] attribute_12_d21 = delay_21_from_0_copy3_out[15:0];
-    wire [15:0] cardinal_0_d21 = delay_21_from_0_copy3_out[31:16];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_y[22:15]};
     wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
@@ -8716,14 +7831,10 @@ module splat_setup (
         out_attribute_0
     } = queue_3_out_data;
     assign {
-        out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6,
-        out_attribute_7, out_attribute_8
+        out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_cardinal_0,
+        out_left, out_right, out_top
     } = queue_4_out_data;
-    assign {
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_first_sum
-    } = queue_5_out_data;
-    assign {out_last_sum, out_first_difference, out_last_difference} = queue_6_out_data;
+    assign {out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference} = queue_5_out_data;
 
     float_max_s2_f24ftz max_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b), .y(max_f24_ftz_unit_y)
@@ -8874,28 +7985,19 @@ module splat_setup (
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
-    stream_fifo_d22_w128_distributed queue_4 (
+    stream_fifo_d22_w123_distributed queue_4 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
         .in_data({
-            attribute_1_d21, attribute_2_d21, attribute_3_d21, attribute_4_d21, attribute_5_d21, attribute_6_d21,
-            attribute_7_d21, attribute_8_d21
+            attribute_1_d21, attribute_2_d21, attribute_3_d21, attribute_4_d21, attribute_5_d21,
+            delay_21_from_0_copy2_out, first_x_d3, last_x_d4, first_y_d3
         }),
         .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
-    stream_fifo_d22_w126_distributed queue_5 (
+    stream_fifo_d22_w49_distributed queue_5 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
-        .in_data({
-            attribute_9_d21, attribute_10_d21, attribute_11_d21, attribute_12_d21, cardinal_0_d21, first_x_d3,
-            last_x_d4, first_y_d3, last_y_d3, first_sum_d1[9:0]
-        }),
+        .in_data({last_y_d3, first_sum_d1[9:0], last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
         .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
-    );
-
-    stream_fifo_d22_w30_distributed queue_6 (
-        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_6_in_ready),
-        .in_data({last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
-        .out_valid(queue_6_out_valid), .out_ready(out_ready), .out_data(queue_6_out_data)
     );
 
     always @(posedge clk) begin
@@ -8910,9 +8012,7 @@ module splat_setup (
             delay_14_from_0_pointer <= 4'd0;
             phases_3 <= 8'd1;
             delay_21_from_0_pointer <= 5'd0;
-            phases_4 <= 8'd1;
             delay_21_from_0_copy2_pointer <= 5'd0;
-            delay_21_from_0_copy3_pointer <= 5'd0;
             delay_6_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_11_from_2_pointer <= 4'd0;
@@ -8934,6 +8034,7 @@ module splat_setup (
             delay_9_from_7_pointer <= 3'd0;
             delay_10_from_7_pointer <= 4'd0;
             delay_13_from_7_pointer <= 4'd0;
+            phases_4 <= 8'd1;
             phases_5 <= 8'd1;
             phases_6 <= 8'd1;
             phases_7 <= 8'd1;
@@ -9054,22 +8155,19 @@ module splat_setup (
             to_fixed_f24_ftz_u23q8_unit_phase <= (to_fixed_f24_ftz_u23q8_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u23q8_unit_phase - 3'd7) : (to_fixed_f24_ftz_u23q8_unit_phase + 3'd1);
             to_fixed_f24_ftz_s22q8_unit_phase <= (to_fixed_f24_ftz_s22q8_unit_phase == 3'd7) ? (to_fixed_f24_ftz_s22q8_unit_phase - 3'd7) : (to_fixed_f24_ftz_s22q8_unit_phase + 3'd1);
             left <= out_valid & out_ready;
-            dropped <= in_flight_20_and_phases_4_0 & ~end_or_visible;
+            dropped <= in_flight_20_and_phases_7_0 & ~end_or_visible;
             if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+                delay_21_from_0_copy2_pointer <= (delay_21_from_0_copy2_pointer == 5'd19) ? (delay_21_from_0_copy2_pointer - 5'd19) : (delay_21_from_0_copy2_pointer + 5'd1);
             end
             if (phases_2[0]) begin
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_21_from_0_copy3_pointer <= (delay_21_from_0_copy3_pointer == 5'd19) ? (delay_21_from_0_copy3_pointer - 5'd19) : (delay_21_from_0_copy3_pointer + 5'd1);
             end
             if (phases_3[0]) begin
                 delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
-            end
-            if (phases_4[0]) begin
-                delay_21_from_0_copy2_pointer <= (delay_21_from_0_copy2_pointer == 5'd19) ? (delay_21_from_0_copy2_pointer - 5'd19) : (delay_21_from_0_copy2_pointer + 5'd1);
             end
             if (phases_1[1]) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
@@ -9108,21 +8206,22 @@ module splat_setup (
                 delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
                 delay_13_from_7_pointer <= (delay_13_from_7_pointer == 4'd11) ? (delay_13_from_7_pointer - 4'd11) : (delay_13_from_7_pointer + 4'd1);
             end
-            if (phases_12[0]) in_flight <= {in_flight[19:0], in_valid_and_in_ready};
+            if (phases_11[0]) in_flight <= {in_flight[19:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (phases_3[0]) begin
+        if (phases_2[0]) begin
             center_x_d1 <= in_center_x;
+            turned_greater_d1 <= turned_greater;
+            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
+            mx_both_d1 <= mx_both;
+        end
+        if (phases_3[0]) begin
+            center_y_d1 <= in_center_y;
+            mx_both_d1_copy2 <= mx_both_copy2;
             visible_both_d1 <= visible_both_copy2;
-            visible_both_d2 <= visible_both_d1;
         end
         if (phases_4[0]) begin
-            center_y_d1 <= in_center_y;
-            visible_both_d3 <= visible_both_d2;
-            visible_unequal_d1 <= visible_unequal_copy3;
-        end
-        if (phases_5[0]) begin
             center_z_d1 <= in_center_z;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
@@ -9130,14 +8229,17 @@ module splat_setup (
             tangent2_x_d1 <= in_tangent2_x;
             mx_chosen_d1 <= mx_chosen[7:0];
         end
-        if (phases_6[0]) begin
+        if (phases_5[0]) begin
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
             lowered_greater_d1_copy2 <= lowered_greater_copy2;
             scale_x_times_v_x_d1 <= mul_f24_ftz_unit_copy5_y;
             center_x_d6 <= center_x_d5;
-            first_x_d3 <= first_x_d2;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            visible_both_d2 <= visible_both_d1;
+            visible_both_d3 <= visible_both_d2;
+            visible_unequal_d1 <= visible_unequal_copy3;
         end
         if (phases_1[3]) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
@@ -9226,11 +8328,6 @@ module splat_setup (
             a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
             a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
             a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
-        end
-        if (phases_1[0]) begin
-            turned_greater_d1 <= turned_greater;
-            first_x_d1 <= first_x;
-            mx_both_d1 <= mx_both;
         end
         if (phases_2[6]) begin
             v_y_chosen_d1 <= v_y_chosen_copy2;
@@ -9427,7 +8524,7 @@ module splat_setup (
             b_x_bits_is_255_d1 <= b_x_bits_is_255;
             b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
         end
-        if (phases_7[0]) begin
+        if (phases_6[0]) begin
             center_x_d7 <= center_x_d6;
             center_x_d8 <= center_x_d7;
             center_x_d9 <= center_x_d8;
@@ -9499,9 +8596,14 @@ module splat_setup (
             center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
             center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
         end
-        if (phases_2[0]) begin
-            first_x_d2 <= first_x_d1;
-            mx_both_d1_copy2 <= mx_both_copy2;
+        if (phases_7[0]) begin
+            first_x_d3 <= first_x_d2;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy4_y;
+            center_y_d2 <= center_y_d1_copy2;
+            center_y_d3 <= center_y_d2;
+            center_y_d4 <= center_y_d3;
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
         end
         if (phases_4[2]) begin
             b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy8_y;
@@ -9521,18 +8623,21 @@ module splat_setup (
             b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
         end
         if (phases_8[0]) begin
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy4_y;
-            center_y_d2 <= center_y_d1_copy2;
-            center_y_d3 <= center_y_d2;
-            center_y_d4 <= center_y_d3;
             center_y_d5 <= center_y_d4;
-        end
-        if (phases_9[0]) begin
             center_y_d6 <= center_y_d5;
             center_y_d7 <= center_y_d6;
             center_y_d8 <= center_y_d7;
             center_y_d9 <= center_y_d8;
+        end
+        if (phases_9[0]) begin
             center_y_d10 <= center_y_d9;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy6_y;
+            first_y_d3 <= first_y_d2;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
         end
         if (phases_9[6]) begin
             f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
@@ -9547,17 +8652,6 @@ module splat_setup (
             last_y_chosen_d2 <= last_y_chosen_d1;
             last_y_chosen_d3 <= last_y_chosen_d2;
             last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
-        end
-        if (phases_10[0]) begin
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy6_y;
-            first_y_d1 <= first_y;
-            first_y_d2 <= first_y_d1;
-            first_y_d3 <= first_y_d2;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            last_y_d3 <= last_y_d2;
-            mx_product_minus_mx_product_d1 <= add_f24_ftz_unit_copy7_y;
         end
         if (phases_7[4]) begin
             first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
@@ -9633,6 +8727,17 @@ module splat_setup (
             b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
             first_difference_d1 <= first_difference;
         end
+        if (phases_10[0]) begin
+            mx_product_minus_mx_product_d1 <= add_f24_ftz_unit_copy7_y;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            largest_sum_d1_copy2 <= largest_sum_copy3;
+            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
+            largest_sum_d3 <= largest_sum_d2_copy2;
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            mx_sum_d2 <= mx_sum_d1_copy3;
+            mx_sum_d3 <= mx_sum_d2;
+        end
         if (phases_3[1]) begin
             minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
             largest_greater_d1_copy3 <= largest_greater_copy3;
@@ -9642,18 +8747,6 @@ module splat_setup (
             mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
             my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
             last_difference_sum_d1_copy2 <= last_difference_sum;
-        end
-        if (phases_11[0]) begin
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            largest_sum_d1_copy2 <= largest_sum_copy3;
-            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
-            largest_sum_d3 <= largest_sum_d2_copy2;
-            mx_sum_d1_copy3 <= mx_sum_copy3;
-            mx_sum_d2 <= mx_sum_d1_copy3;
-            mx_sum_d3 <= mx_sum_d2;
-            first_difference_sum_d1_copy3 <= first_difference_sum;
         end
         if (phases_12[6]) begin
             largest_sum_plus_127_d1 <= largest_sum_plus_127;
@@ -9710,7 +8803,8 @@ module splat_setup (
             last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
             first_difference_greater_d1 <= first_difference_greater;
         end
-        if (phases_12[0]) begin
+        if (phases_11[0]) begin
+            first_difference_sum_d1_copy3 <= first_difference_sum;
             last_difference_chosen_d1 <= last_difference_chosen;
             first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
             last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
@@ -9830,19 +8924,9 @@ module splat_setup (
         if (phases_3[0]) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_4[0]) begin
-            delay_21_from_0_copy2[delay_21_from_0_copy2_pointer] <= {in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6};
-        end
-        if (phases_4[0]) begin
+        if (phases_1[0]) delay_21_from_0_copy2[delay_21_from_0_copy2_pointer] <= in_cardinal_0;
+        if (phases_1[0]) begin
             delay_21_from_0_copy2_out <= delay_21_from_0_copy2[delay_21_from_0_copy2_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (phases_2[0]) begin
-            delay_21_from_0_copy3[delay_21_from_0_copy3_pointer] <= {in_cardinal_0, in_attribute_12};
-        end
-        if (phases_2[0]) begin
-            delay_21_from_0_copy3_out <= delay_21_from_0_copy3[delay_21_from_0_copy3_pointer];
         end
     end
     always @(posedge clk) begin
@@ -9956,9 +9040,8 @@ module splat_setup (
         last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
         mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], queue_1_in_ready, queue_2_in_ready,
         queue_2_out_valid, queue_3_in_ready, queue_3_out_valid, queue_4_in_ready, queue_4_out_valid,
-        queue_5_in_ready, queue_5_out_valid, queue_6_in_ready, queue_6_out_valid,
-        reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8],
-        unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
+        queue_5_in_ready, queue_5_out_valid, reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
+        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
     };
 
 `ifdef RTL_ASSERT
@@ -10026,12 +9109,10 @@ module splat_setup (
         queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
         queue_5_has_a_place_for_each_result: assert (~kept | queue_5_in_ready);
-        queue_6_has_a_place_for_each_result: assert (~kept | queue_6_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
         queue_4_in_step: assert (queue_4_out_valid == out_valid);
         queue_5_in_step: assert (queue_5_out_valid == out_valid);
-        queue_6_in_step: assert (queue_6_out_valid == out_valid);
         phases_are_in_step: assert (check_both_46 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
@@ -10049,9 +9130,6 @@ module splat_setup (
         if (!(~kept | queue_5_in_ready)) begin
             $display("assertion failed: queue_5_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(~kept | queue_6_in_ready)) begin
-            $display("assertion failed: queue_6_has_a_place_for_each_result in %m"); $stop;
-        end
         if (!(queue_2_out_valid == out_valid)) begin
             $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
@@ -10064,9 +9142,6 @@ module splat_setup (
         if (!(queue_5_out_valid == out_valid)) begin
             $display("assertion failed: queue_5_in_step in %m"); $stop;
         end
-        if (!(queue_6_out_valid == out_valid)) begin
-            $display("assertion failed: queue_6_in_step in %m"); $stop;
-        end
         if (!(check_both_46 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
@@ -10077,17 +9152,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 22
-// width = 30
+// width = 49
 // storage = distributed
-module stream_fifo_d22_w30_distributed (
+module stream_fifo_d22_w49_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [29:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [29:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [48:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [48:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [29:0] entries [0:21];
+    reg [48:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
-    reg [29:0] item;
+    reg [48:0] item;
 
     wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
@@ -10134,74 +9209,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 22
-// width = 126
+// width = 123
 // storage = distributed
-module stream_fifo_d22_w126_distributed (
+module stream_fifo_d22_w123_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [125:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [125:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [122:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [125:0] entries [0:21];
+    reg [122:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
-    reg [125:0] item;
-
-    wire has_room = ~(held == 5'd22);
-    wire push = in_valid & has_room;
-    wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
-
-    assign in_ready = has_room;
-    assign out_data = item;
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 5'd0;
-            waiting <= 5'd0;
-            write_address <= 5'd0;
-            read_address <= 5'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
-        end
-    end
-    always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
-        if (fetch) item <= entries[read_address];
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) if (!rst) begin
-`ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
-        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
-`else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {4'd0, out_valid}))) begin
-            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
-        end
-`endif
-    end
-`endif
-endmodule
-
-// Queue in a memory with a registered output.
-// depth = 22
-// width = 128
-// storage = distributed
-module stream_fifo_d22_w128_distributed (
-    input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [127:0] out_data
-);
-    (* ram_style = "distributed" *)
-    reg [127:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
-    reg [127:0] item;
+    reg [122:0] item;
 
     wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
@@ -11231,13 +10249,6 @@ module splat_transform (
     input  wire [15:0] in_attribute_3,  // Attributes.
     input  wire [15:0] in_attribute_4,  // Attributes.
     input  wire [15:0] in_attribute_5,  // Attributes.
-    input  wire [15:0] in_attribute_6,  // Attributes.
-    input  wire [15:0] in_attribute_7,  // Attributes.
-    input  wire [15:0] in_attribute_8,  // Attributes.
-    input  wire [15:0] in_attribute_9,  // Attributes.
-    input  wire [15:0] in_attribute_10,  // Attributes.
-    input  wire [15:0] in_attribute_11,  // Attributes.
-    input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
     input  wire [23:0] m00,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [23:0] m01,  // By rows; the last row is (0, 0, 0, 1).
@@ -11269,13 +10280,6 @@ module splat_transform (
     output wire [15:0] out_attribute_3,  // Attributes.
     output wire [15:0] out_attribute_4,  // Attributes.
     output wire [15:0] out_attribute_5,  // Attributes.
-    output wire [15:0] out_attribute_6,  // Attributes.
-    output wire [15:0] out_attribute_7,  // Attributes.
-    output wire [15:0] out_attribute_8,  // Attributes.
-    output wire [15:0] out_attribute_9,  // Attributes.
-    output wire [15:0] out_attribute_10,  // Attributes.
-    output wire [15:0] out_attribute_11,  // Attributes.
-    output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
@@ -11286,15 +10290,12 @@ module splat_transform (
     reg [16:0] delay_5_from_0_out;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
     reg [7:0] phases_2;
-    reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
-    reg [15:0] attribute_12_d1;
-    reg [7:0] phases_3;
     reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, u_x_sum_d1, m12_times_center_z_d1;
     reg [23:0] u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2;
-    reg [7:0] phases_4;
+    reg [7:0] phases_3;
     reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, m00_times_tangent1_x_d1, m02_times_tangent1_z_d1;
     reg [23:0] v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1, v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1;
-    reg [7:0] phases_5;
+    reg [7:0] phases_4;
     reg [23:0] tangent2_y_d1, tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_x_d2;
     reg [23:0] v2_y_sum_d1, m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
     reg near_plane_below_u_z_d1;
@@ -11302,10 +10303,10 @@ module splat_transform (
     reg kept_greater_bits_is_zero_d1;
     reg [23:0] kept_chosen_d1;
     reg attribute_0_bits_is_31_d1;
+    reg [7:0] phases_5;
     reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1, attribute_0_out_d2, attribute_0_out_d3;
     reg [15:0] attribute_0_out_d4;
     reg attribute_1_bits_is_31_d1;
-    reg [7:0] phases_6;
     reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1, attribute_1_out_d2, attribute_1_out_d3;
     reg [15:0] attribute_1_out_d4;
     reg attribute_2_bits_is_31_d1;
@@ -11320,28 +10321,6 @@ module splat_transform (
     reg attribute_5_bits_is_31_d1;
     reg [15:0] attribute_5_out_chosen_d1, attribute_5_out_d1, attribute_5_out_d2, attribute_5_out_d3;
     reg [15:0] attribute_5_out_d4;
-    reg attribute_6_bits_is_31_d1;
-    reg [15:0] attribute_6_out_chosen_d1, attribute_6_out_d1, attribute_6_out_d2, attribute_6_out_d3;
-    reg [15:0] attribute_6_out_d4;
-    reg attribute_7_bits_is_31_d1;
-    reg [15:0] attribute_7_out_chosen_d1, attribute_7_out_d1, attribute_7_out_d2, attribute_7_out_d3;
-    reg [15:0] attribute_7_out_d4;
-    reg attribute_8_bits_is_31_d1;
-    reg [15:0] attribute_8_out_chosen_d1, attribute_8_out_d1, attribute_8_out_d2, attribute_8_out_d3;
-    reg [15:0] attribute_8_out_d4;
-    reg attribute_9_bits_is_31_d1;
-    reg [7:0] phases_7;
-    reg [15:0] attribute_9_out_chosen_d1, attribute_9_out_d1, attribute_9_out_d2, attribute_9_out_d3;
-    reg [15:0] attribute_9_out_d4;
-    reg attribute_10_bits_is_31_d1;
-    reg [15:0] attribute_10_out_chosen_d1, attribute_10_out_d1, attribute_10_out_d2, attribute_10_out_d3;
-    reg [15:0] attribute_10_out_d4;
-    reg attribute_11_bits_is_31_d1;
-    reg [15:0] attribute_11_out_chosen_d1, attribute_11_out_d1, attribute_11_out_d2, attribute_11_out_d3;
-    reg [15:0] attribute_11_out_d4;
-    reg attribute_12_bits_is_31_d1;
-    reg [15:0] attribute_12_out_chosen_d1, attribute_12_out_d1, attribute_12_out_d2, attribute_12_out_d3;
-    reg [15:0] attribute_12_out_d4;
     reg [2:0] mul_f24_ftz_unit_phase;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [2:0] mul_f24_ftz_unit_phase_copy2;
@@ -11384,16 +10363,14 @@ module splat_transform (
     wire queue_2_in_ready, queue_2_out_valid;
     wire [127:0] queue_2_out_data;
     wire queue_3_in_ready, queue_3_out_valid;
-    wire [127:0] queue_3_out_data;
-    wire queue_4_in_ready, queue_4_out_valid;
-    wire [63:0] queue_4_out_data;
+    wire [79:0] queue_3_out_data;
 
     assign in_ready = ~credits[3] & phases_1[0];
-    wire in_flight_4_and_phases_7_4 = in_flight[4] & phases_7[4];
+    wire in_flight_4_and_phases_4_4 = in_flight[4] & phases_4[4];
     wire end_d5 = delay_5_from_0_out[0];
     wire kept_either = near_plane_below_u_z_d1 | lt_f24_ftz_unit_y;
     wire end_or_kept_either = end_d5 | kept_either;
-    wire kept = in_flight_4_and_phases_7_4 & end_or_kept_either;
+    wire kept = in_flight_4_and_phases_4_4 & end_or_kept_either;
     wire [15:0] cardinal_0_d5 = delay_5_from_0_out[16:1];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire kept_greater_bits_is_255 = max_f24_ftz_unit_y[22:15] == 8'd255;
@@ -11427,34 +10404,6 @@ module splat_transform (
     wire zero_is_attribute_5_bits = 10'd0 == in_attribute_5[9:0];
     wire [15:0] attribute_5_out_chosen = zero_is_attribute_5_bits ? {in_attribute_5[15], 15'h7bff} : 16'd0;
     wire [15:0] attribute_5_out = attribute_5_bits_is_31_d1 ? attribute_5_out_chosen_d1 : attribute_5_d1;
-    wire attribute_6_bits_is_31 = 5'd31 == in_attribute_6[14:10];
-    wire zero_is_attribute_6_bits = 10'd0 == in_attribute_6[9:0];
-    wire [15:0] attribute_6_out_chosen = zero_is_attribute_6_bits ? {in_attribute_6[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_6_out = attribute_6_bits_is_31_d1 ? attribute_6_out_chosen_d1 : attribute_6_d1;
-    wire attribute_7_bits_is_31 = 5'd31 == in_attribute_7[14:10];
-    wire zero_is_attribute_7_bits = 10'd0 == in_attribute_7[9:0];
-    wire [15:0] attribute_7_out_chosen = zero_is_attribute_7_bits ? {in_attribute_7[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_7_out = attribute_7_bits_is_31_d1 ? attribute_7_out_chosen_d1 : attribute_7_d1;
-    wire attribute_8_bits_is_31 = 5'd31 == in_attribute_8[14:10];
-    wire zero_is_attribute_8_bits = 10'd0 == in_attribute_8[9:0];
-    wire [15:0] attribute_8_out_chosen = zero_is_attribute_8_bits ? {in_attribute_8[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_8_out = attribute_8_bits_is_31_d1 ? attribute_8_out_chosen_d1 : attribute_8_d1;
-    wire attribute_9_bits_is_31 = 5'd31 == in_attribute_9[14:10];
-    wire zero_is_attribute_9_bits = 10'd0 == in_attribute_9[9:0];
-    wire [15:0] attribute_9_out_chosen = zero_is_attribute_9_bits ? {in_attribute_9[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_9_out = attribute_9_bits_is_31_d1 ? attribute_9_out_chosen_d1 : attribute_9_d1;
-    wire attribute_10_bits_is_31 = 5'd31 == in_attribute_10[14:10];
-    wire zero_is_attribute_10_bits = 10'd0 == in_attribute_10[9:0];
-    wire [15:0] attribute_10_out_chosen = zero_is_attribute_10_bits ? {in_attribute_10[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_10_out = attribute_10_bits_is_31_d1 ? attribute_10_out_chosen_d1 : attribute_10_d1;
-    wire attribute_11_bits_is_31 = 5'd31 == in_attribute_11[14:10];
-    wire zero_is_attribute_11_bits = 10'd0 == in_attribute_11[9:0];
-    wire [15:0] attribute_11_out_chosen = zero_is_attribute_11_bits ? {in_attribute_11[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_11_out = attribute_11_bits_is_31_d1 ? attribute_11_out_chosen_d1 : attribute_11_d1;
-    wire attribute_12_bits_is_31 = 5'd31 == in_attribute_12[14:10];
-    wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
-    wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
-    wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
     wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[0] ? m02 : m00;
     wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice;
     wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : tangent1_z_d1) : mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d1 : tangent2_x_d1;
@@ -11506,11 +10455,7 @@ module splat_transform (
 
     assign {out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y} = queue_1_out_data;
     assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
-    assign {
-        out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7,
-        out_attribute_8, out_attribute_9
-    } = queue_3_out_data;
-    assign {out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0} = queue_4_out_data;
+    assign {out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_cardinal_0} = queue_3_out_data;
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
@@ -11566,19 +10511,10 @@ module splat_transform (
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d5_w128_distributed queue_3 (
+    stream_fifo_d5_w80_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
-        .in_data({
-            attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4, attribute_5_out_d4, attribute_6_out_d4,
-            attribute_7_out_d4, attribute_8_out_d4, attribute_9_out_d4
-        }),
+        .in_data({attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4, attribute_5_out_d4, cardinal_0_d5}),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
-    );
-
-    stream_fifo_d5_w64_distributed queue_4 (
-        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
-        .in_data({attribute_10_out_d4, attribute_11_out_d4, attribute_12_out_d4, cardinal_0_d5}),
-        .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
     always @(posedge clk) begin
@@ -11590,8 +10526,6 @@ module splat_transform (
             phases_3 <= 8'd1;
             phases_4 <= 8'd1;
             phases_5 <= 8'd1;
-            phases_6 <= 8'd1;
-            phases_7 <= 8'd1;
             mul_f24_ftz_unit_phase <= 3'd0;
             mul_f24_ftz_unit_phase_copy2 <= 3'd0;
             mul_f24_ftz_unit_copy2_phase <= 3'd0;
@@ -11617,8 +10551,6 @@ module splat_transform (
             phases_3 <= {phases_3[6:0], phases_3[7]};
             phases_4 <= {phases_4[6:0], phases_4[7]};
             phases_5 <= {phases_5[6:0], phases_5[7]};
-            phases_6 <= {phases_6[6:0], phases_6[7]};
-            phases_7 <= {phases_7[6:0], phases_7[7]};
             mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
             mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_phase_copy2 + 3'd1);
             mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 3'd7) ? (mul_f24_ftz_unit_copy2_phase - 3'd7) : (mul_f24_ftz_unit_copy2_phase + 3'd1);
@@ -11635,11 +10567,11 @@ module splat_transform (
             add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
             lt_f24_ftz_unit_phase <= (lt_f24_ftz_unit_phase == 3'd7) ? (lt_f24_ftz_unit_phase - 3'd7) : (lt_f24_ftz_unit_phase + 3'd1);
             left <= out_valid & out_ready;
-            dropped <= in_flight_4_and_phases_7_4 & ~end_or_kept_either;
+            dropped <= in_flight_4_and_phases_4_4 & ~end_or_kept_either;
             if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                in_flight <= {in_flight[3:0], in_valid_and_in_ready};
             end
-            if (phases_3[0]) in_flight <= {in_flight[3:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
@@ -11656,30 +10588,13 @@ module splat_transform (
             attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
             attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
             attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
-            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
-            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
-            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
-            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
-            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
-            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
         end
         if (phases_2[0]) begin
-            attribute_6_d1 <= in_attribute_6;
-            attribute_7_d1 <= in_attribute_7;
-            attribute_8_d1 <= in_attribute_8;
-            attribute_9_d1 <= in_attribute_9;
-            attribute_10_d1 <= in_attribute_10;
-            attribute_11_d1 <= in_attribute_11;
-            attribute_12_d1 <= in_attribute_12;
-            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
-        end
-        if (phases_3[0]) begin
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
             m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
             m12_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
         end
         if (phases_1[5]) begin
             u_x_sum_d1 <= add_f24_ftz_unit_y;
@@ -11705,7 +10620,7 @@ module splat_transform (
             v2_y_d1 <= add_f24_ftz_unit_copy2_y;
             v2_y_d2 <= v2_y_d1;
         end
-        if (phases_4[0]) begin
+        if (phases_3[0]) begin
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
@@ -11719,7 +10634,7 @@ module splat_transform (
             v1_z_d3 <= v1_z_d2;
             m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
         end
-        if (phases_5[0]) begin
+        if (phases_4[0]) begin
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
             v2_x_d1 <= add_f24_ftz_unit_copy3_y;
@@ -11741,15 +10656,13 @@ module splat_transform (
             attribute_1_out_d1 <= attribute_1_out;
         end
         if (phases_2[7]) kept_chosen_d1 <= kept_chosen_copy3;
-        if (phases_6[0]) begin
+        if (phases_5[0]) begin
+            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
             attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
             attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
             attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
             attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
             attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
-            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
-            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
-            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
         end
         if (phases_2[4]) begin
             attribute_1_out_d2 <= attribute_1_out_d1;
@@ -11775,46 +10688,6 @@ module splat_transform (
             attribute_5_out_d2 <= attribute_5_out_d1;
             attribute_5_out_d3 <= attribute_5_out_d2;
             attribute_5_out_d4 <= attribute_5_out_d3;
-            attribute_6_out_d1 <= attribute_6_out;
-            attribute_6_out_d2 <= attribute_6_out_d1;
-            attribute_6_out_d3 <= attribute_6_out_d2;
-            attribute_6_out_d4 <= attribute_6_out_d3;
-            attribute_7_out_d1 <= attribute_7_out;
-        end
-        if (phases_5[4]) begin
-            attribute_7_out_d2 <= attribute_7_out_d1;
-            attribute_7_out_d3 <= attribute_7_out_d2;
-            attribute_7_out_d4 <= attribute_7_out_d3;
-            attribute_8_out_d1 <= attribute_8_out;
-            attribute_8_out_d2 <= attribute_8_out_d1;
-            attribute_8_out_d3 <= attribute_8_out_d2;
-            attribute_8_out_d4 <= attribute_8_out_d3;
-            attribute_9_out_d1 <= attribute_9_out;
-        end
-        if (phases_7[0]) begin
-            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
-            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
-            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
-            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
-        end
-        if (phases_6[4]) begin
-            attribute_9_out_d2 <= attribute_9_out_d1;
-            attribute_9_out_d3 <= attribute_9_out_d2;
-            attribute_9_out_d4 <= attribute_9_out_d3;
-            attribute_10_out_d1 <= attribute_10_out;
-            attribute_10_out_d2 <= attribute_10_out_d1;
-            attribute_10_out_d3 <= attribute_10_out_d2;
-            attribute_10_out_d4 <= attribute_10_out_d3;
-            attribute_11_out_d1 <= attribute_11_out;
-        end
-        if (phases_7[4]) begin
-            attribute_11_out_d2 <= attribute_11_out_d1;
-            attribute_11_out_d3 <= attribute_11_out_d2;
-            attribute_11_out_d4 <= attribute_11_out_d3;
-            attribute_12_out_d1 <= attribute_12_out;
-            attribute_12_out_d2 <= attribute_12_out_d1;
-            attribute_12_out_d3 <= attribute_12_out_d2;
-            attribute_12_out_d4 <= attribute_12_out_d3;
         end
         mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice : m20;
         mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
@@ -11840,13 +10713,13 @@ module splat_transform (
 
     wire _unused = &{
         1'b0, max_f24_ftz_unit_y[23], queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready,
-        queue_3_out_valid, queue_4_in_ready, queue_4_out_valid
+        queue_3_out_valid
     };
 
 `ifdef RTL_ASSERT
     wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
-    wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
-    wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_2 = check_both & (phases_5 == phases_1) & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
     wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
     wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
     wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
@@ -11864,10 +10737,8 @@ module splat_transform (
         queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
         queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
         queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
-        queue_4_has_a_place_for_each_result: assert (~kept | queue_4_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
-        queue_4_in_step: assert (queue_4_out_valid == out_valid);
         phases_are_in_step: assert (check_both_14 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
@@ -11879,17 +10750,11 @@ module splat_transform (
         if (!(~kept | queue_3_in_ready)) begin
             $display("assertion failed: queue_3_has_a_place_for_each_result in %m"); $stop;
         end
-        if (!(~kept | queue_4_in_ready)) begin
-            $display("assertion failed: queue_4_has_a_place_for_each_result in %m"); $stop;
-        end
         if (!(queue_2_out_valid == out_valid)) begin
             $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
         if (!(queue_3_out_valid == out_valid)) begin
             $display("assertion failed: queue_3_in_step in %m"); $stop;
-        end
-        if (!(queue_4_out_valid == out_valid)) begin
-            $display("assertion failed: queue_4_in_step in %m"); $stop;
         end
         if (!(check_both_14 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
@@ -11901,17 +10766,17 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 5
-// width = 64
+// width = 80
 // storage = distributed
-module stream_fifo_d5_w64_distributed (
+module stream_fifo_d5_w80_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [63:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [63:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [79:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [79:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [63:0] entries [0:4];
+    reg [79:0] entries [0:4];
     reg [2:0] held, waiting, write_address, read_address;
-    reg [63:0] item;
+    reg [79:0] item;
 
     wire has_room = ~(held == 3'd5);
     wire push = in_valid & has_room;
