@@ -78,17 +78,17 @@ module proof (input clk);
         end
     end
 
-    // Those on their way out, the first one at place 0.
+    // Those on their way out, the first one at place 0: of five there are two in a queue, one that is read, one complete, one shown.
     reg [2:0] leaving = 0;
-    reg [3:0] outward [0:3];
+    reg [3:0] outward [0:4];
     wire leaves = out_valid && out_ready;
     wire [2:0] behind = leaving - leaves;
     wire [1:0] first_tile, first_tag;
     assign {first_tile, first_tag} = outward[0];
     always @(posedge clk) if (!rst) begin
         leaving <= behind + goes;
-        if (leaves) {outward[0], outward[1], outward[2]} <= {outward[1], outward[2], outward[3]};
-        if (goes) outward[behind[1:0]] <= {placed_tile, waiting_tag[chosen]};
+        if (leaves) {outward[0], outward[1], outward[2], outward[3]} <= {outward[1], outward[2], outward[3], outward[4]};
+        if (goes) outward[behind] <= {placed_tile, waiting_tag[chosen]};
     end
 
     // With neighbors that take and give, something moves every few cycles: PATIENCE covers a place's way back.
@@ -101,7 +101,7 @@ module proof (input clk);
         none_from_nothing: assert (!copy_valid || held);
         sent_on_unchanged: assert (!copy_valid || (copy_end == held_end && (copy_end || copy_tile == held_tile)));
         one_at_a_time: assert (!(push && held && !comes));
-        none_too_many: assert (!goes || behind < 4);
+        none_too_many: assert (!goes || behind < 5);
         none_out_of_nothing: assert (!out_valid || leaving != 0);
         has_its_tile: assert (!out_valid || out_tile == first_tile);
         has_its_payload: assert (!out_valid || (out_center_x == first_tag && out_attribute_0 == first_tag));

@@ -5620,7 +5620,7 @@ module splat_payloads (
     reg [3:0] held_first_difference;  // Smallest difference.
     reg [3:0] held_last_difference;  // Largest difference.
     reg [11:0] held_tile;
-    reg current_valid, beat, out_holds;
+    reg current_valid, beat, complete_valid, out_holds;
     reg [2:0] current_left;  // First column.
     reg [2:0] current_right;  // Last column.
     reg [2:0] current_top;  // First row.
@@ -5634,6 +5634,37 @@ module splat_payloads (
     reg current_slot;  // Slot of the tile cache.
     wire [161:0] shown_word;
     reg [161:0] kept_0;
+    reg [25:0] complete_center_x;  // Projected center (px), the origin of what follows.
+    reg [25:0] complete_center_y;  // Projected center (px), the origin of what follows.
+    reg [15:0] complete_ax;  // `A` in x.
+    reg [15:0] complete_bx;  // `B` in x.
+    reg [15:0] complete_ay;  // `A` in y.
+    reg [15:0] complete_by;  // `B` in y.
+    reg [19:0] complete_delta;  // The determinant of `A` and `B`.
+    reg [15:0] complete_mx;  // `m` in x.
+    reg [15:0] complete_my;  // `m` in y.
+    reg [3:0] complete_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg complete_sight_negative;  // `D` is negative before the eye.
+    reg [19:0] complete_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [19:0] complete_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg complete_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg complete_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    reg [23:0] complete_depth;  // Depth.
+    reg [23:0] complete_depth_low;  // What is nearer hides the splat.
+    reg [23:0] complete_depth_high;  // What is farther is hidden by the splat.
+    reg [11:0] complete_attribute_0;  // Attributes.
+    reg [11:0] complete_attribute_1;  // Attributes.
+    reg [11:0] complete_attribute_2;  // Attributes.
+    reg [2:0] complete_left;  // First column.
+    reg [2:0] complete_right;  // Last column.
+    reg [2:0] complete_top;  // First row.
+    reg [2:0] complete_bottom;  // Last row.
+    reg [3:0] complete_first_sum;  // Smallest sum.
+    reg [3:0] complete_last_sum;  // Largest sum.
+    reg [3:0] complete_first_difference;  // Smallest difference.
+    reg [3:0] complete_last_difference;  // Largest difference.
+    reg [11:0] complete_tile;  // Tile index: row above column.
+    reg complete_slot;  // Slot of the tile cache.
     reg [25:0] held_out_center_x;  // Projected center (px), the origin of what follows.
     reg [25:0] held_out_center_y;  // Projected center (px), the origin of what follows.
     reg [15:0] held_out_ax;  // `A` in x.
@@ -5692,8 +5723,8 @@ module splat_payloads (
     wire ready = ~holds & (closes_in_ready & (has_free | passes));
     wire copy_shown = holds & (~writing | word);
     wire [161:0] payload_words_data_bits = {in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my[15:6]};
-    wire out_room = ~out_holds | out_ready;
-    wire leaves = current_valid & beat & out_room;
+    wire complete_room = ~complete_valid;
+    wire leaves = current_valid & beat & complete_room;
     wire advance = ~current_valid | leaves;
     wire advance_or_not_beat = advance | ~beat;
     wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
@@ -5709,6 +5740,7 @@ module splat_payloads (
     wire take = ready & in_valid;
     wire needs_place = in_first & ~in_end;
     wire begins_splat = take & needs_place;
+    wire out_room = ~out_holds | out_ready;
     wire [2:0] placed_queue_out_left = placed_queue_out_data[50:48];
     wire [2:0] placed_queue_out_right = placed_queue_out_data[47:45];
     wire [2:0] placed_queue_out_top = placed_queue_out_data[44:42];
@@ -5814,6 +5846,7 @@ module splat_payloads (
             open <= 1'd0;
             writing <= 1'd0;
             current_valid <= 1'd0;
+            complete_valid <= 1'd0;
             out_holds <= 1'd0;
             left_valid <= 1'd0;
             reading_valid <= 1'd0;
@@ -5827,6 +5860,7 @@ module splat_payloads (
             passes <= in_valid & ~ready & ~needs_place;
             open <= begins_splat | (open & ~closes_splat);
             writing <= writing ? ~word : begins_splat;
+            complete_valid <= leaves | (complete_valid & ~out_room);
             left_valid <= leaves;
             reading_valid <= begins;
             caught_valid <= reading_valid;
@@ -5834,7 +5868,7 @@ module splat_payloads (
             earlier_valid <= added_valid;
             if (clears) cleared <= cleared + 10'd1;
             if (advance) current_valid <= placed_queue_out_valid;
-            if (out_room) out_holds <= leaves;
+            if (out_room) out_holds <= complete_valid;
         end
     end
     always @(posedge clk) begin
@@ -5887,38 +5921,71 @@ module splat_payloads (
             current_slot <= placed_queue_out_slot;
         end
         if (~beat) kept_0 <= shown_word;
+        if (complete_room) begin
+            complete_center_x <= kept_0[161:136];
+            complete_center_y <= kept_0[135:110];
+            complete_ax <= kept_0[109:94];
+            complete_bx <= kept_0[93:78];
+            complete_ay <= kept_0[77:62];
+            complete_by <= kept_0[61:46];
+            complete_delta <= kept_0[45:26];
+            complete_mx <= kept_0[25:10];
+            complete_my <= {kept_0[9:0], shown_word[161:156]};
+            complete_shift <= shown_word[155:152];
+            complete_sight_negative <= shown_word[151];
+            complete_sight_near <= shown_word[150:131];
+            complete_sight_far <= shown_word[130:111];
+            complete_sight_turned <= shown_word[110];
+            complete_sight_disc <= shown_word[109];
+            complete_depth <= shown_word[108:85];
+            complete_depth_low <= shown_word[84:61];
+            complete_depth_high <= shown_word[60:37];
+            complete_attribute_0 <= shown_word[36:25];
+            complete_attribute_1 <= shown_word[24:13];
+            complete_attribute_2 <= shown_word[12:1];
+            complete_left <= current_left;
+            complete_right <= current_right;
+            complete_top <= current_top;
+            complete_bottom <= current_bottom;
+            complete_first_sum <= current_first_sum;
+            complete_last_sum <= current_last_sum;
+            complete_first_difference <= current_first_difference;
+            complete_last_difference <= current_last_difference;
+            complete_tile <= current_tile;
+            complete_slot <= current_slot;
+        end
         if (out_room) begin
-            held_out_center_x <= kept_0[161:136];
-            held_out_center_y <= kept_0[135:110];
-            held_out_ax <= kept_0[109:94];
-            held_out_bx <= kept_0[93:78];
-            held_out_ay <= kept_0[77:62];
-            held_out_by <= kept_0[61:46];
-            held_out_delta <= kept_0[45:26];
-            held_out_mx <= kept_0[25:10];
-            held_out_my <= {kept_0[9:0], shown_word[161:156]};
-            held_out_shift <= shown_word[155:152];
-            held_out_sight_negative <= shown_word[151];
-            held_out_sight_near <= shown_word[150:131];
-            held_out_sight_far <= shown_word[130:111];
-            held_out_sight_turned <= shown_word[110];
-            held_out_sight_disc <= shown_word[109];
-            held_out_depth <= shown_word[108:85];
-            held_out_depth_low <= shown_word[84:61];
-            held_out_depth_high <= shown_word[60:37];
-            held_out_attribute_0 <= shown_word[36:25];
-            held_out_attribute_1 <= shown_word[24:13];
-            held_out_attribute_2 <= shown_word[12:1];
-            held_out_left <= current_left;
-            held_out_right <= current_right;
-            held_out_top <= current_top;
-            held_out_bottom <= current_bottom;
-            held_out_first_sum <= current_first_sum;
-            held_out_last_sum <= current_last_sum;
-            held_out_first_difference <= current_first_difference;
-            held_out_last_difference <= current_last_difference;
-            held_out_tile <= current_tile;
-            held_out_slot <= current_slot;
+            held_out_center_x <= complete_center_x;
+            held_out_center_y <= complete_center_y;
+            held_out_ax <= complete_ax;
+            held_out_bx <= complete_bx;
+            held_out_ay <= complete_ay;
+            held_out_by <= complete_by;
+            held_out_delta <= complete_delta;
+            held_out_mx <= complete_mx;
+            held_out_my <= complete_my;
+            held_out_shift <= complete_shift;
+            held_out_sight_negative <= complete_sight_negative;
+            held_out_sight_near <= complete_sight_near;
+            held_out_sight_far <= complete_sight_far;
+            held_out_sight_turned <= complete_sight_turned;
+            held_out_sight_disc <= complete_sight_disc;
+            held_out_depth <= complete_depth;
+            held_out_depth_low <= complete_depth_low;
+            held_out_depth_high <= complete_depth_high;
+            held_out_attribute_0 <= complete_attribute_0;
+            held_out_attribute_1 <= complete_attribute_1;
+            held_out_attribute_2 <= complete_attribute_2;
+            held_out_left <= complete_left;
+            held_out_right <= complete_right;
+            held_out_top <= complete_top;
+            held_out_bottom <= complete_bottom;
+            held_out_first_sum <= complete_first_sum;
+            held_out_last_sum <= complete_last_sum;
+            held_out_first_difference <= complete_first_difference;
+            held_out_last_difference <= complete_last_difference;
+            held_out_tile <= complete_tile;
+            held_out_slot <= complete_slot;
         end
     end
 

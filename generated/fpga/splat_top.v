@@ -6797,7 +6797,7 @@ module splat_payloads (
     reg [3:0] held_first_difference;  // Smallest difference.
     reg [3:0] held_last_difference;  // Largest difference.
     reg [11:0] held_tile;
-    reg current_valid, beat, out_holds;
+    reg current_valid, beat, complete_valid, out_holds;
     reg [2:0] current_left;  // First column.
     reg [2:0] current_right;  // Last column.
     reg [2:0] current_top;  // First row.
@@ -6811,6 +6811,47 @@ module splat_payloads (
     reg [2:0] current_slot;  // Slot of the tile cache.
     wire [324:0] shown_word;
     reg [324:0] kept_0;
+    reg [31:0] complete_center_x;  // Projected center (px), the origin of what follows.
+    reg [31:0] complete_center_y;  // Projected center (px), the origin of what follows.
+    reg [31:0] complete_ax;  // `A` in x.
+    reg [31:0] complete_bx;  // `B` in x.
+    reg [31:0] complete_ay;  // `A` in y.
+    reg [31:0] complete_by;  // `B` in y.
+    reg [31:0] complete_delta;  // The determinant of `A` and `B`.
+    reg [31:0] complete_mx;  // `m` in x.
+    reg [31:0] complete_my;  // `m` in y.
+    reg complete_sight_negative;  // `D` is negative before the eye.
+    reg [30:0] complete_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [30:0] complete_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg complete_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg complete_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    reg [23:0] complete_depth;  // Depth.
+    reg [23:0] complete_depth_low;  // What is nearer hides the splat.
+    reg [23:0] complete_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] complete_attribute_0;  // Attributes.
+    reg [15:0] complete_attribute_1;  // Attributes.
+    reg [15:0] complete_attribute_2;  // Attributes.
+    reg [15:0] complete_attribute_3;  // Attributes.
+    reg [15:0] complete_attribute_4;  // Attributes.
+    reg [15:0] complete_attribute_5;  // Attributes.
+    reg [15:0] complete_attribute_6;  // Attributes.
+    reg [15:0] complete_attribute_7;  // Attributes.
+    reg [15:0] complete_attribute_8;  // Attributes.
+    reg [15:0] complete_attribute_9;  // Attributes.
+    reg [15:0] complete_attribute_10;  // Attributes.
+    reg [15:0] complete_attribute_11;  // Attributes.
+    reg [15:0] complete_attribute_12;  // Attributes.
+    reg [15:0] complete_cardinal_0;  // Attributes.
+    reg [2:0] complete_left;  // First column.
+    reg [2:0] complete_right;  // Last column.
+    reg [2:0] complete_top;  // First row.
+    reg [2:0] complete_bottom;  // Last row.
+    reg [3:0] complete_first_sum;  // Smallest sum.
+    reg [3:0] complete_last_sum;  // Largest sum.
+    reg [3:0] complete_first_difference;  // Smallest difference.
+    reg [3:0] complete_last_difference;  // Largest difference.
+    reg [11:0] complete_tile;  // Tile index: row above column.
+    reg [2:0] complete_slot;  // Slot of the tile cache.
     reg [31:0] held_out_center_x;  // Projected center (px), the origin of what follows.
     reg [31:0] held_out_center_y;  // Projected center (px), the origin of what follows.
     reg [31:0] held_out_ax;  // `A` in x.
@@ -6882,8 +6923,8 @@ module splat_payloads (
         in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_sight_negative,
         in_sight_near, in_sight_far[30:26]
     };
-    wire out_room = ~out_holds | out_ready;
-    wire leaves = current_valid & beat & out_room;
+    wire complete_room = ~complete_valid;
+    wire leaves = current_valid & beat & complete_room;
     wire advance = ~current_valid | leaves;
     wire advance_or_not_beat = advance | ~beat;
     wire beat_choice = advance ? 1'd0 : (beat + 1'd1);
@@ -6899,6 +6940,7 @@ module splat_payloads (
     wire take = ready & in_valid;
     wire needs_place = in_first & ~in_end;
     wire begins_splat = take & needs_place;
+    wire out_room = ~out_holds | out_ready;
     wire [2:0] placed_queue_out_left = placed_queue_out_data[53:51];
     wire [2:0] placed_queue_out_right = placed_queue_out_data[50:48];
     wire [2:0] placed_queue_out_top = placed_queue_out_data[47:45];
@@ -7014,6 +7056,7 @@ module splat_payloads (
             open <= 1'd0;
             writing <= 1'd0;
             current_valid <= 1'd0;
+            complete_valid <= 1'd0;
             out_holds <= 1'd0;
             left_valid <= 1'd0;
             reading_valid <= 1'd0;
@@ -7027,6 +7070,7 @@ module splat_payloads (
             passes <= in_valid & ~ready & ~needs_place;
             open <= begins_splat | (open & ~closes_splat);
             writing <= writing ? ~word : begins_splat;
+            complete_valid <= leaves | (complete_valid & ~out_room);
             left_valid <= leaves;
             reading_valid <= begins;
             caught_valid <= reading_valid;
@@ -7034,7 +7078,7 @@ module splat_payloads (
             earlier_valid <= added_valid;
             if (clears) cleared <= cleared + 11'd1;
             if (advance) current_valid <= placed_queue_out_valid;
-            if (out_room) out_holds <= leaves;
+            if (out_room) out_holds <= complete_valid;
         end
     end
     always @(posedge clk) begin
@@ -7089,48 +7133,91 @@ module splat_payloads (
             current_slot <= placed_queue_out_slot;
         end
         if (~beat) kept_0 <= shown_word;
+        if (complete_room) begin
+            complete_center_x <= kept_0[324:293];
+            complete_center_y <= kept_0[292:261];
+            complete_ax <= kept_0[260:229];
+            complete_bx <= kept_0[228:197];
+            complete_ay <= kept_0[196:165];
+            complete_by <= kept_0[164:133];
+            complete_delta <= kept_0[132:101];
+            complete_mx <= kept_0[100:69];
+            complete_my <= kept_0[68:37];
+            complete_sight_negative <= kept_0[36];
+            complete_sight_near <= kept_0[35:5];
+            complete_sight_far <= {kept_0[4:0], shown_word[324:299]};
+            complete_sight_turned <= shown_word[298];
+            complete_sight_disc <= shown_word[297];
+            complete_depth <= shown_word[296:273];
+            complete_depth_low <= shown_word[272:249];
+            complete_depth_high <= shown_word[248:225];
+            complete_attribute_0 <= shown_word[224:209];
+            complete_attribute_1 <= shown_word[208:193];
+            complete_attribute_2 <= shown_word[192:177];
+            complete_attribute_3 <= shown_word[176:161];
+            complete_attribute_4 <= shown_word[160:145];
+            complete_attribute_5 <= shown_word[144:129];
+            complete_attribute_6 <= shown_word[128:113];
+            complete_attribute_7 <= shown_word[112:97];
+            complete_attribute_8 <= shown_word[96:81];
+            complete_attribute_9 <= shown_word[80:65];
+            complete_attribute_10 <= shown_word[64:49];
+            complete_attribute_11 <= shown_word[48:33];
+            complete_attribute_12 <= shown_word[32:17];
+            complete_cardinal_0 <= shown_word[16:1];
+            complete_left <= current_left;
+            complete_right <= current_right;
+            complete_top <= current_top;
+            complete_bottom <= current_bottom;
+            complete_first_sum <= current_first_sum;
+            complete_last_sum <= current_last_sum;
+            complete_first_difference <= current_first_difference;
+            complete_last_difference <= current_last_difference;
+            complete_tile <= current_tile;
+            complete_slot <= current_slot;
+        end
         if (out_room) begin
-            held_out_center_x <= kept_0[324:293];
-            held_out_center_y <= kept_0[292:261];
-            held_out_ax <= kept_0[260:229];
-            held_out_bx <= kept_0[228:197];
-            held_out_ay <= kept_0[196:165];
-            held_out_by <= kept_0[164:133];
-            held_out_delta <= kept_0[132:101];
-            held_out_mx <= kept_0[100:69];
-            held_out_my <= kept_0[68:37];
-            held_out_sight_negative <= kept_0[36];
-            held_out_sight_near <= kept_0[35:5];
-            held_out_sight_far <= {kept_0[4:0], shown_word[324:299]};
-            held_out_sight_turned <= shown_word[298];
-            held_out_sight_disc <= shown_word[297];
-            held_out_depth <= shown_word[296:273];
-            held_out_depth_low <= shown_word[272:249];
-            held_out_depth_high <= shown_word[248:225];
-            held_out_attribute_0 <= shown_word[224:209];
-            held_out_attribute_1 <= shown_word[208:193];
-            held_out_attribute_2 <= shown_word[192:177];
-            held_out_attribute_3 <= shown_word[176:161];
-            held_out_attribute_4 <= shown_word[160:145];
-            held_out_attribute_5 <= shown_word[144:129];
-            held_out_attribute_6 <= shown_word[128:113];
-            held_out_attribute_7 <= shown_word[112:97];
-            held_out_attribute_8 <= shown_word[96:81];
-            held_out_attribute_9 <= shown_word[80:65];
-            held_out_attribute_10 <= shown_word[64:49];
-            held_out_attribute_11 <= shown_word[48:33];
-            held_out_attribute_12 <= shown_word[32:17];
-            held_out_cardinal_0 <= shown_word[16:1];
-            held_out_left <= current_left;
-            held_out_right <= current_right;
-            held_out_top <= current_top;
-            held_out_bottom <= current_bottom;
-            held_out_first_sum <= current_first_sum;
-            held_out_last_sum <= current_last_sum;
-            held_out_first_difference <= current_first_difference;
-            held_out_last_difference <= current_last_difference;
-            held_out_tile <= current_tile;
-            held_out_slot <= current_slot;
+            held_out_center_x <= complete_center_x;
+            held_out_center_y <= complete_center_y;
+            held_out_ax <= complete_ax;
+            held_out_bx <= complete_bx;
+            held_out_ay <= complete_ay;
+            held_out_by <= complete_by;
+            held_out_delta <= complete_delta;
+            held_out_mx <= complete_mx;
+            held_out_my <= complete_my;
+            held_out_sight_negative <= complete_sight_negative;
+            held_out_sight_near <= complete_sight_near;
+            held_out_sight_far <= complete_sight_far;
+            held_out_sight_turned <= complete_sight_turned;
+            held_out_sight_disc <= complete_sight_disc;
+            held_out_depth <= complete_depth;
+            held_out_depth_low <= complete_depth_low;
+            held_out_depth_high <= complete_depth_high;
+            held_out_attribute_0 <= complete_attribute_0;
+            held_out_attribute_1 <= complete_attribute_1;
+            held_out_attribute_2 <= complete_attribute_2;
+            held_out_attribute_3 <= complete_attribute_3;
+            held_out_attribute_4 <= complete_attribute_4;
+            held_out_attribute_5 <= complete_attribute_5;
+            held_out_attribute_6 <= complete_attribute_6;
+            held_out_attribute_7 <= complete_attribute_7;
+            held_out_attribute_8 <= complete_attribute_8;
+            held_out_attribute_9 <= complete_attribute_9;
+            held_out_attribute_10 <= complete_attribute_10;
+            held_out_attribute_11 <= complete_attribute_11;
+            held_out_attribute_12 <= complete_attribute_12;
+            held_out_cardinal_0 <= complete_cardinal_0;
+            held_out_left <= complete_left;
+            held_out_right <= complete_right;
+            held_out_top <= complete_top;
+            held_out_bottom <= complete_bottom;
+            held_out_first_sum <= complete_first_sum;
+            held_out_last_sum <= complete_last_sum;
+            held_out_first_difference <= complete_first_difference;
+            held_out_last_difference <= complete_last_difference;
+            held_out_tile <= complete_tile;
+            held_out_slot <= complete_slot;
         end
     end
 

@@ -50,6 +50,8 @@ pub struct Payloads {
     current: Option<PlacedCopy>,
     /// Its word that the memory on the chip shows.
     beat: u32,
+    /// One that is complete and waits for `out`, where words come in several beats.
+    complete: Option<CompleteCopy>,
     out: Option<CompleteCopy>,
 }
 
@@ -72,6 +74,7 @@ impl Payloads {
             next: Skid::default(),
             current: None,
             beat: 0,
+            complete: None,
             out: None,
         }
     }
@@ -134,10 +137,16 @@ impl Payloads {
 
     /// The way out: returns the place that a copy has been read from.
     fn leave(&mut self, inputs: &In) -> Option<u16> {
-        let has_room = self.out.is_none() || inputs.out_ready;
+        let takes = self.out.is_none() || inputs.out_ready;
+        let completes = self.beats > 1;
+        let has_room = if completes { self.complete.is_none() } else { takes };
         let read = self.current.filter(|_| has_room).and_then(|current| Some((current, self.payload(&current)?)));
-        if has_room {
-            self.out = read.map(|(current, payload)| complete(current, payload));
+        let copy = read.map(|(current, payload)| complete(current, payload));
+        if takes {
+            self.out = if completes { self.complete.take() } else { copy };
+        }
+        if completes && has_room {
+            self.complete = copy;
         }
         if let Store::Memory(memory) = &mut self.store {
             memory.leave(self.current.is_some(), has_room, inputs.data);

@@ -37,9 +37,13 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
         Store::Chip(_) => is_last,
         Store::Memory(came) => is_last & came.valid,
     };
+    // Where words come in several beats, a copy is completed in a register of its own, which takes the next when it is empty: whether
+    // the rasterizer is ready says nothing to the block RAMs, a way across the device.
+    let completes = (words.count > 1).then(|| m.reg_reset("complete_valid", 1, 0));
     let out_valid = m.reg_reset("out_holds", 1, 0);
     let out_taken = m.forward("out_taken", 1);
-    let has_room = m.wire("out_room", !out_valid | out_taken);
+    let out_room = m.wire("out_room", !out_valid | out_taken);
+    let has_room = completes.map_or(out_room, |complete| m.wire("complete_room", !complete));
     let leaves = m.wire("leaves", (valid & is_read) & has_room);
     let advance = m.wire("advance", !valid | leaves);
     m.drive(next.ready, advance);
@@ -54,8 +58,16 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
     let Payload { footprint, moving, attributes } = words.join(config, &payload);
     let PlacedCopy { bounds, diagonals, tile, splat, slot } = current;
     let copy = CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot };
-    let out = copy.register(m, config, "held_out_", has_room);
-    m.next_if(out_valid, has_room, leaves);
+    let (copy, shown) = match completes {
+        Some(complete) => {
+            let copy = copy.register(m, config, "complete_", has_room);
+            m.next(complete, leaves | (complete & !out_room));
+            (copy, complete.expr())
+        }
+        None => (copy, leaves),
+    };
+    let out = copy.register(m, config, "held_out_", out_room);
+    m.next_if(out_valid, out_room, shown);
     let out_ready = PORTS.out.drive(m, config, out_valid, out);
     m.drive(out_taken, out_ready);
     (leaves, splat)
