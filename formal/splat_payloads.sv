@@ -78,9 +78,9 @@ module proof (input clk);
         end
     end
 
-    // Those on their way out, the first one at place 0: of five there are two in a queue, one that is read, one complete, one shown.
+    // Those on their way out, the first one at place 0.
     reg [2:0] leaving = 0;
-    reg [3:0] outward [0:4];
+    reg [3:0] outward [0:4]; // five, or one less where LEAVING says so
     wire leaves = out_valid && out_ready;
     wire [2:0] behind = leaving - leaves;
     wire [1:0] first_tile, first_tag;
@@ -101,7 +101,7 @@ module proof (input clk);
         none_from_nothing: assert (!copy_valid || held);
         sent_on_unchanged: assert (!copy_valid || (copy_end == held_end && (copy_end || copy_tile == held_tile)));
         one_at_a_time: assert (!(push && held && !comes));
-        none_too_many: assert (!goes || behind < 5);
+        none_too_many: assert (!goes || behind < LEAVING);
         none_out_of_nothing: assert (!out_valid || leaving != 0);
         has_its_tile: assert (!out_valid || out_tile == first_tile);
         has_its_payload: assert (!out_valid || (out_center_x == first_tag && out_attribute_0 == first_tag));

@@ -53,6 +53,8 @@ fn payloads() -> [Proof; 4] {
             ("PLACES", config.splats_held()),
             ("SPLAT_BITS", config.splat_bits()),
             ("ATTRIBUTE_BITS", config.attribute.width()),
+            // On their way out: two in a queue, one that is read, one shown, and of several words one that is complete.
+            ("LEAVING", if payload_beats > 1 { 5 } else { 4 }),
             ("PATIENCE", 16 + payload_beats),
         ];
         Proof::new(name, payloads::module(&config), &sizes)
