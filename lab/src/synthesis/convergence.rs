@@ -1,9 +1,9 @@
 //! Whether a router will come to an end, by what it says on its way.
 //!
 //! nextpnr's negotiating router counts in each iteration the wires that are used more than once. They become fewer, or the router
-//! goes on for ever. It is given up if the fewest were [`RISING_ITERATIONS`] iterations ago or more and there are [`RISEN`] times as
-//! many now, or if they were [`STANDING_ITERATIONS`] ago. The other router, which rips up and routes again one wire after the other,
-//! counts none, and is never given up.
+//! goes on for ever. It is given up if the fewest were [`RISING_ITERATIONS`] iterations ago or more and there are more than
+//! [`RISEN`] times as many now, and as [`FEW`]; or if they were [`STANDING_ITERATIONS`] ago. The other router, which rips up and
+//! routes again one wire after the other, counts none, and is never given up.
 
 use std::fmt;
 
