@@ -8,8 +8,9 @@ use pointcore_contract::splat::config::index_bits;
 use super::REGISTER_BITS;
 use rtl::{Expr, Module, Reg, address_width, lit};
 
-/// Cycles from one visit of the round to the next at most.
-const CYCLES_A_VISIT: u32 = 4;
+/// Cycles from one visit of the round to the next, over several: of three visits one is to what is asked for, at most, for who
+/// asks takes the answer and an address in between.
+const CYCLES_A_VISIT: u32 = 3;
 
 /// What a counter counts.
 pub(super) struct Counter {
@@ -32,7 +33,7 @@ fn sum(numbers: &[Expr], width: u32) -> Expr {
     numbers.iter().map(|number| number.zext(width)).reduce(|sum, number| sum + number).unwrap_or_else(|| lit(width, 0))
 }
 
-/// Counts; reads the counter `asked` where `asks` is set, which is to fall with the answer.
+/// Counts; reads the counter `asked` where `asks` is set, which is to fall with the answer, and for a cycle.
 pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: Expr) -> Answer {
     let count = counters.len() as u32;
     let index_width = address_width(count);
