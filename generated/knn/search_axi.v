@@ -1044,37 +1044,37 @@ module bus_registers (
     reg [11:0] read_address;
     reg error, adds;
     reg [3:0] visited;
-    reg [7:0] part_0;
+    reg [6:0] part_0;
     reg void_0;
-    reg [7:0] part_1;
+    reg [6:0] part_1;
     reg void_1;
     reg [7:0] part_2;
     reg void_2;
-    reg [6:0] part_3;
+    reg [5:0] part_3;
     reg void_3;
-    reg [6:0] part_4;
+    reg [5:0] part_4;
     reg void_4;
-    reg [6:0] part_5;
+    reg [5:0] part_5;
     reg void_5;
-    reg [6:0] part_6;
+    reg [5:0] part_6;
     reg void_6;
-    reg [6:0] part_7;
+    reg [5:0] part_7;
     reg void_7;
-    reg [6:0] part_8;
+    reg [5:0] part_8;
     reg void_8;
-    reg [6:0] part_9;
+    reg [5:0] part_9;
     reg void_9;
-    reg [6:0] part_10;
+    reg [5:0] part_10;
     reg void_10;
-    reg [6:0] part_11;
+    reg [5:0] part_11;
     reg void_11;
-    reg [6:0] part_12;
+    reg [5:0] part_12;
     reg void_12;
-    reg [6:0] part_13;
+    reg [5:0] part_13;
     reg void_13;
-    reg [6:0] part_14;
+    reg [5:0] part_14;
     reg void_14;
-    reg [6:0] part_15;
+    reg [5:0] part_15;
     reg void_15;
     reg [7:0] part;
     reg is_void;
@@ -1156,9 +1156,9 @@ module bus_registers (
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
-    wire [7:0] part_0_sum = {7'd0, refused_write} + {7'd0, refused_read};
+    wire [6:0] part_0_sum = {6'd0, refused_write} + {6'd0, refused_read};
     wire visits_1 = looks & (visited == 4'd1);
-    wire [7:0] refused_busy_plus_busy_error = {7'd0, refused_busy} + {7'd0, busy_error};
+    wire [6:0] refused_busy_plus_busy_error = {6'd0, refused_busy} + {6'd0, busy_error};
     wire visits_2 = looks & (visited == 4'd2);
     wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]} + {7'd0, burst_error[2]};
     wire visits_3 = looks & (visited == 4'd3);
@@ -1166,38 +1166,38 @@ module bus_registers (
     wire visits_5 = looks & (visited == 4'd5);
     wire visits_6 = looks & (visited == 4'd6);
     wire packet_taken_and_busy = packet_taken & busy;
-    wire [6:0] part_6_bits = {6'd0, packet_taken_and_busy};
+    wire [5:0] part_6_bits = {5'd0, packet_taken_and_busy};
     wire visits_7 = looks & (visited == 4'd7);
     wire packet_sent_and_busy = packet_sent & busy;
-    wire [6:0] part_7_bits = {6'd0, packet_sent_and_busy};
+    wire [5:0] part_7_bits = {5'd0, packet_sent_and_busy};
     wire visits_8 = looks & (visited == 4'd8);
     wire event_node_and_busy = event_node & busy;
-    wire [6:0] part_8_bits = {6'd0, event_node_and_busy};
+    wire [5:0] part_8_bits = {5'd0, event_node_and_busy};
     wire visits_9 = looks & (visited == 4'd9);
     wire event_pop_and_busy = event_pop & busy;
-    wire [6:0] part_9_bits = {6'd0, event_pop_and_busy};
+    wire [5:0] part_9_bits = {5'd0, event_pop_and_busy};
     wire visits_10 = looks & (visited == 4'd10);
     wire event_beat_and_busy = event_beat & busy;
-    wire [6:0] part_10_bits = {6'd0, event_beat_and_busy};
+    wire [5:0] part_10_bits = {5'd0, event_beat_and_busy};
     wire visits_11 = looks & (visited == 4'd11);
     wire event_insert_and_busy = event_insert & busy;
-    wire [6:0] part_11_bits = {6'd0, event_insert_and_busy};
+    wire [5:0] part_11_bits = {5'd0, event_insert_and_busy};
     wire visits_12 = looks & (visited == 4'd12);
     wire event_insert_wait_and_busy = event_insert_wait & busy;
-    wire [6:0] part_12_bits = {6'd0, event_insert_wait_and_busy};
+    wire [5:0] part_12_bits = {5'd0, event_insert_wait_and_busy};
     wire visits_13 = looks & (visited == 4'd13);
     wire event_thread_wait_and_busy = event_thread_wait & busy;
-    wire [6:0] part_13_bits = {6'd0, event_thread_wait_and_busy};
+    wire [5:0] part_13_bits = {5'd0, event_thread_wait_and_busy};
     wire visits_14 = looks & (visited == 4'd14);
     wire event_point_hit_and_busy = event_point_hit & busy;
-    wire [6:0] part_14_bits = {6'd0, event_point_hit_and_busy};
+    wire [5:0] part_14_bits = {5'd0, event_point_hit_and_busy};
     wire visits_15 = looks & (visited == 4'd15);
     wire event_point_miss_and_busy = event_point_miss & busy;
-    wire [6:0] part_15_bits = {6'd0, event_point_miss_and_busy};
-    wire [7:0] part_choice = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
-    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
+    wire [5:0] part_15_bits = {5'd0, event_point_miss_and_busy};
+    wire [7:0] part_choice = visited[1] ? (visited[0] ? {2'd0, part_15} : {2'd0, part_14}) : visited[0] ? {2'd0, part_13} : {2'd0, part_12};
+    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
+    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {2'd0, part_4};
+    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
     wire is_void_choice = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
     wire is_void_choice_2 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
     wire is_void_choice_3 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
@@ -1235,37 +1235,37 @@ module bus_registers (
             error <= 1'd0;
             adds <= 1'd0;
             visited <= 4'd0;
-            part_0 <= 8'd0;
+            part_0 <= 7'd0;
             void_0 <= 1'd1;
-            part_1 <= 8'd0;
+            part_1 <= 7'd0;
             void_1 <= 1'd1;
             part_2 <= 8'd0;
             void_2 <= 1'd1;
-            part_3 <= 7'd0;
+            part_3 <= 6'd0;
             void_3 <= 1'd1;
-            part_4 <= 7'd0;
+            part_4 <= 6'd0;
             void_4 <= 1'd1;
-            part_5 <= 7'd0;
+            part_5 <= 6'd0;
             void_5 <= 1'd1;
-            part_6 <= 7'd0;
+            part_6 <= 6'd0;
             void_6 <= 1'd1;
-            part_7 <= 7'd0;
+            part_7 <= 6'd0;
             void_7 <= 1'd1;
-            part_8 <= 7'd0;
+            part_8 <= 6'd0;
             void_8 <= 1'd1;
-            part_9 <= 7'd0;
+            part_9 <= 6'd0;
             void_9 <= 1'd1;
-            part_10 <= 7'd0;
+            part_10 <= 6'd0;
             void_10 <= 1'd1;
-            part_11 <= 7'd0;
+            part_11 <= 6'd0;
             void_11 <= 1'd1;
-            part_12 <= 7'd0;
+            part_12 <= 6'd0;
             void_12 <= 1'd1;
-            part_13 <= 7'd0;
+            part_13 <= 6'd0;
             void_13 <= 1'd1;
-            part_14 <= 7'd0;
+            part_14 <= 6'd0;
             void_14 <= 1'd1;
-            part_15 <= 7'd0;
+            part_15 <= 6'd0;
             void_15 <= 1'd1;
             round <= 4'd0;
             for_read <= 1'd0;
@@ -1291,11 +1291,11 @@ module bus_registers (
             void_1 <= clear_errors | (void_1 & ~visits_1);
             part_2 <= (visits_2 | clear_errors) ? part_2_sum : (part_2 + part_2_sum);
             void_2 <= clear_errors | (void_2 & ~visits_2);
-            part_3 <= (visits_3 | clear_errors) ? {6'd0, packet_error} : (part_3 + {6'd0, packet_error});
+            part_3 <= (visits_3 | clear_errors) ? {5'd0, packet_error} : (part_3 + {5'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
-            part_4 <= (visits_4 | clear_errors) ? {6'd0, memory_error} : (part_4 + {6'd0, memory_error});
+            part_4 <= (visits_4 | clear_errors) ? {5'd0, memory_error} : (part_4 + {5'd0, memory_error});
             void_4 <= clear_errors | (void_4 & ~visits_4);
-            part_5 <= (visits_5 | start) ? {6'd0, busy} : (part_5 + {6'd0, busy});
+            part_5 <= (visits_5 | start) ? {5'd0, busy} : (part_5 + {5'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
             part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
             void_6 <= start | (void_6 & ~visits_6);
@@ -1352,78 +1352,78 @@ module bus_registers (
     end
 
 `ifdef RTL_ASSERT
-    wire [8:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
-    wire [8:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
+    wire [7:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
+    wire [7:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
     wire [8:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
-    wire [7:0] part_3_plus_packet_error = {1'd0, part_3} + {7'd0, packet_error};
-    wire [7:0] part_4_plus_memory_error = {1'd0, part_4} + {7'd0, memory_error};
-    wire [7:0] part_5_plus_busy = {1'd0, part_5} + {7'd0, busy};
-    wire [7:0] check_sum_2 = {1'd0, part_6} + {7'd0, packet_taken_and_busy};
-    wire [7:0] check_sum_3 = {1'd0, part_7} + {7'd0, packet_sent_and_busy};
-    wire [7:0] check_sum_4 = {1'd0, part_8} + {7'd0, event_node_and_busy};
-    wire [7:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {7'd0, event_pop_and_busy};
-    wire [7:0] check_sum_5 = {1'd0, part_10} + {7'd0, event_beat_and_busy};
-    wire [7:0] check_sum_6 = {1'd0, part_11} + {7'd0, event_insert_and_busy};
-    wire [7:0] check_sum_7 = {1'd0, part_12} + {7'd0, event_insert_wait_and_busy};
-    wire [7:0] check_sum_8 = {1'd0, part_13} + {7'd0, event_thread_wait_and_busy};
-    wire [7:0] check_sum_9 = {1'd0, part_14} + {7'd0, event_point_hit_and_busy};
-    wire [7:0] check_sum_10 = {1'd0, part_15} + {7'd0, event_point_miss_and_busy};
+    wire [6:0] part_3_plus_packet_error = {1'd0, part_3} + {6'd0, packet_error};
+    wire [6:0] part_4_plus_memory_error = {1'd0, part_4} + {6'd0, memory_error};
+    wire [6:0] part_5_plus_busy = {1'd0, part_5} + {6'd0, busy};
+    wire [6:0] check_sum_2 = {1'd0, part_6} + {6'd0, packet_taken_and_busy};
+    wire [6:0] check_sum_3 = {1'd0, part_7} + {6'd0, packet_sent_and_busy};
+    wire [6:0] check_sum_4 = {1'd0, part_8} + {6'd0, event_node_and_busy};
+    wire [6:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {6'd0, event_pop_and_busy};
+    wire [6:0] check_sum_5 = {1'd0, part_10} + {6'd0, event_beat_and_busy};
+    wire [6:0] check_sum_6 = {1'd0, part_11} + {6'd0, event_insert_and_busy};
+    wire [6:0] check_sum_7 = {1'd0, part_12} + {6'd0, event_insert_wait_and_busy};
+    wire [6:0] check_sum_8 = {1'd0, part_13} + {6'd0, event_thread_wait_and_busy};
+    wire [6:0] check_sum_9 = {1'd0, part_14} + {6'd0, event_point_hit_and_busy};
+    wire [6:0] check_sum_10 = {1'd0, part_15} + {6'd0, event_point_miss_and_busy};
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        part_0_has_room: assert (~part_0_plus_part_0_sum[8]);
-        part_1_has_room: assert (~check_sum[8]);
+        part_0_has_room: assert (~part_0_plus_part_0_sum[7]);
+        part_1_has_room: assert (~check_sum[7]);
         part_2_has_room: assert (~part_2_plus_part_2_sum[8]);
-        part_3_has_room: assert (~part_3_plus_packet_error[7]);
-        part_4_has_room: assert (~part_4_plus_memory_error[7]);
-        part_5_has_room: assert (~part_5_plus_busy[7]);
-        part_6_has_room: assert (~check_sum_2[7]);
-        part_7_has_room: assert (~check_sum_3[7]);
-        part_8_has_room: assert (~check_sum_4[7]);
-        part_9_has_room: assert (~part_9_plus_event_pop_and_busy[7]);
-        part_10_has_room: assert (~check_sum_5[7]);
-        part_11_has_room: assert (~check_sum_6[7]);
-        part_12_has_room: assert (~check_sum_7[7]);
-        part_13_has_room: assert (~check_sum_8[7]);
-        part_14_has_room: assert (~check_sum_9[7]);
-        part_15_has_room: assert (~check_sum_10[7]);
+        part_3_has_room: assert (~part_3_plus_packet_error[6]);
+        part_4_has_room: assert (~part_4_plus_memory_error[6]);
+        part_5_has_room: assert (~part_5_plus_busy[6]);
+        part_6_has_room: assert (~check_sum_2[6]);
+        part_7_has_room: assert (~check_sum_3[6]);
+        part_8_has_room: assert (~check_sum_4[6]);
+        part_9_has_room: assert (~part_9_plus_event_pop_and_busy[6]);
+        part_10_has_room: assert (~check_sum_5[6]);
+        part_11_has_room: assert (~check_sum_6[6]);
+        part_12_has_room: assert (~check_sum_7[6]);
+        part_13_has_room: assert (~check_sum_8[6]);
+        part_14_has_room: assert (~check_sum_9[6]);
+        part_15_has_room: assert (~check_sum_10[6]);
 `else
-        if (!(~part_0_plus_part_0_sum[8])) begin
+        if (!(~part_0_plus_part_0_sum[7])) begin
             $display("assertion failed: part_0_has_room in %m"); $stop;
         end
-        if (!(~check_sum[8])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
+        if (!(~check_sum[7])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
         if (!(~part_2_plus_part_2_sum[8])) begin
             $display("assertion failed: part_2_has_room in %m"); $stop;
         end
-        if (!(~part_3_plus_packet_error[7])) begin
+        if (!(~part_3_plus_packet_error[6])) begin
             $display("assertion failed: part_3_has_room in %m"); $stop;
         end
-        if (!(~part_4_plus_memory_error[7])) begin
+        if (!(~part_4_plus_memory_error[6])) begin
             $display("assertion failed: part_4_has_room in %m"); $stop;
         end
-        if (!(~part_5_plus_busy[7])) begin
+        if (!(~part_5_plus_busy[6])) begin
             $display("assertion failed: part_5_has_room in %m"); $stop;
         end
-        if (!(~check_sum_2[7])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
-        if (!(~check_sum_3[7])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
-        if (!(~check_sum_4[7])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
-        if (!(~part_9_plus_event_pop_and_busy[7])) begin
+        if (!(~check_sum_2[6])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
+        if (!(~check_sum_3[6])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
+        if (!(~check_sum_4[6])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
+        if (!(~part_9_plus_event_pop_and_busy[6])) begin
             $display("assertion failed: part_9_has_room in %m"); $stop;
         end
-        if (!(~check_sum_5[7])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
-        if (!(~check_sum_6[7])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
-        if (!(~check_sum_7[7])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
-        if (!(~check_sum_8[7])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
-        if (!(~check_sum_9[7])) begin $display("assertion failed: part_14_has_room in %m"); $stop; end
-        if (!(~check_sum_10[7])) begin $display("assertion failed: part_15_has_room in %m"); $stop; end
+        if (!(~check_sum_5[6])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
+        if (!(~check_sum_6[6])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
+        if (!(~check_sum_7[6])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
+        if (!(~check_sum_8[6])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
+        if (!(~check_sum_9[6])) begin $display("assertion failed: part_14_has_room in %m"); $stop; end
+        if (!(~check_sum_10[6])) begin $display("assertion failed: part_15_has_room in %m"); $stop; end
 `endif
     end
 
     wire _unused_by_checks = &{
-        1'b0, check_sum[7:0], check_sum_10[6:0], check_sum_2[6:0], check_sum_3[6:0], check_sum_4[6:0],
-        check_sum_5[6:0], check_sum_6[6:0], check_sum_7[6:0], check_sum_8[6:0], check_sum_9[6:0],
-        part_0_plus_part_0_sum[7:0], part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[6:0],
-        part_4_plus_memory_error[6:0], part_5_plus_busy[6:0], part_9_plus_event_pop_and_busy[6:0]
+        1'b0, check_sum[6:0], check_sum_10[5:0], check_sum_2[5:0], check_sum_3[5:0], check_sum_4[5:0],
+        check_sum_5[5:0], check_sum_6[5:0], check_sum_7[5:0], check_sum_8[5:0], check_sum_9[5:0],
+        part_0_plus_part_0_sum[6:0], part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[5:0],
+        part_4_plus_memory_error[5:0], part_5_plus_busy[5:0], part_9_plus_event_pop_and_busy[5:0]
     };
 `endif
 endmodule

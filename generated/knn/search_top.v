@@ -333,11 +333,14 @@ module search_point_cache (
     reg [21:0] run_address;  // First beat.
     reg [2:0] run_beats;  // Number of beats, at least one.
     reg [5:0] run_slot;  // The slot.
+    reg began, complete;
+    reg [5:0] changed_slot;
     reg [63:0] present;
     wire [21:0] tag;
+    reg l_present;
     reg [2:0] run_count;
     wire [383:0] read;
-    reg r_valid, r_read;
+    reg r_valid, s_valid, r_read;
     reg [3:0] r_thread;  // Thread.
     reg [21:0] r_address;  // Address in the point memory.
     reg r_last;  // Closes its leaf.
@@ -353,6 +356,21 @@ module search_point_cache (
     reg [31:0] r_x3;  // A point a lane; NaN where there is none.
     reg [31:0] r_y3;  // A point a lane; NaN where there is none.
     reg [31:0] r_z3;  // A point a lane; NaN where there is none.
+    reg [3:0] s_thread;  // Thread.
+    reg [21:0] s_address;  // Address in the point memory.
+    reg s_last;  // Closes its leaf.
+    reg [31:0] s_x0;  // A point a lane; NaN where there is none.
+    reg [31:0] s_y0;  // A point a lane; NaN where there is none.
+    reg [31:0] s_z0;  // A point a lane; NaN where there is none.
+    reg [31:0] s_x1;  // A point a lane; NaN where there is none.
+    reg [31:0] s_y1;  // A point a lane; NaN where there is none.
+    reg [31:0] s_z1;  // A point a lane; NaN where there is none.
+    reg [31:0] s_x2;  // A point a lane; NaN where there is none.
+    reg [31:0] s_y2;  // A point a lane; NaN where there is none.
+    reg [31:0] s_z2;  // A point a lane; NaN where there is none.
+    reg [31:0] s_x3;  // A point a lane; NaN where there is none.
+    reg [31:0] s_y3;  // A point a lane; NaN where there is none.
+    reg [31:0] s_z3;  // A point a lane; NaN where there is none.
 
     wire fetch_queue_out_valid;
     wire [34:0] fetch_queue_out_data;
@@ -363,7 +381,8 @@ module search_point_cache (
     wire fill_queue_out_valid;
     wire [416:0] fill_queue_out_data;
 
-    wire advance_r = ~r_valid | beat_queue_in_ready;
+    wire advance_s = ~s_valid | beat_queue_in_ready;
+    wire advance_r = ~r_valid | advance_s;
     wire runs = run_valid & ~fill_under_way;
     wire fill_queue_out_ready = advance_r & ~runs;
     wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
@@ -377,8 +396,7 @@ module search_point_cache (
     wire run_step = advance_r & runs;
     wire store_and_not_fill_under_way = store & ~fill_under_way;
     wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
-    wire [63:0] present_shifted_by_l_slot = present >> l_slot;
-    wire hit = present_shifted_by_l_slot[0] & (tag == l_address);
+    wire hit = l_present & (tag == l_address);
     wire hits = l_valid & (hit & ~run_valid);
     wire misses = l_valid & (~hit & miss_queue_in_ready);
     wire advance_l = ~l_valid | (hits | misses);
@@ -390,139 +408,123 @@ module search_point_cache (
     wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
     wire [2:0] run_count_plus_1 = run_count + 3'd1;
     wire run_last = run_count_plus_1 == run_beats;
-    wire fill_slot_is_63 = fill_slot == 6'd63;
-    wire fill_slot_is_62 = fill_slot == 6'd62;
-    wire fill_slot_is_61 = fill_slot == 6'd61;
-    wire fill_slot_is_60 = fill_slot == 6'd60;
-    wire fill_slot_is_59 = fill_slot == 6'd59;
-    wire fill_slot_is_58 = fill_slot == 6'd58;
-    wire fill_slot_is_57 = fill_slot == 6'd57;
-    wire fill_slot_is_56 = fill_slot == 6'd56;
-    wire fill_slot_is_55 = fill_slot == 6'd55;
-    wire fill_slot_is_54 = fill_slot == 6'd54;
-    wire fill_slot_is_53 = fill_slot == 6'd53;
-    wire fill_slot_is_52 = fill_slot == 6'd52;
-    wire fill_slot_is_51 = fill_slot == 6'd51;
-    wire fill_slot_is_50 = fill_slot == 6'd50;
-    wire fill_slot_is_49 = fill_slot == 6'd49;
-    wire fill_slot_is_48 = fill_slot == 6'd48;
-    wire fill_slot_is_47 = fill_slot == 6'd47;
-    wire fill_slot_is_46 = fill_slot == 6'd46;
-    wire fill_slot_is_45 = fill_slot == 6'd45;
-    wire fill_slot_is_44 = fill_slot == 6'd44;
-    wire fill_slot_is_43 = fill_slot == 6'd43;
-    wire fill_slot_is_42 = fill_slot == 6'd42;
-    wire fill_slot_is_41 = fill_slot == 6'd41;
-    wire fill_slot_is_40 = fill_slot == 6'd40;
-    wire fill_slot_is_39 = fill_slot == 6'd39;
-    wire fill_slot_is_38 = fill_slot == 6'd38;
-    wire fill_slot_is_37 = fill_slot == 6'd37;
-    wire fill_slot_is_36 = fill_slot == 6'd36;
-    wire fill_slot_is_35 = fill_slot == 6'd35;
-    wire fill_slot_is_34 = fill_slot == 6'd34;
-    wire fill_slot_is_33 = fill_slot == 6'd33;
-    wire fill_slot_is_32 = fill_slot == 6'd32;
-    wire fill_slot_is_31 = fill_slot == 6'd31;
-    wire fill_slot_is_30 = fill_slot == 6'd30;
-    wire fill_slot_is_29 = fill_slot == 6'd29;
-    wire fill_slot_is_28 = fill_slot == 6'd28;
-    wire fill_slot_is_27 = fill_slot == 6'd27;
-    wire fill_slot_is_26 = fill_slot == 6'd26;
-    wire fill_slot_is_25 = fill_slot == 6'd25;
-    wire fill_slot_is_24 = fill_slot == 6'd24;
-    wire fill_slot_is_23 = fill_slot == 6'd23;
-    wire fill_slot_is_22 = fill_slot == 6'd22;
-    wire fill_slot_is_21 = fill_slot == 6'd21;
-    wire fill_slot_is_20 = fill_slot == 6'd20;
-    wire fill_slot_is_19 = fill_slot == 6'd19;
-    wire fill_slot_is_18 = fill_slot == 6'd18;
-    wire fill_slot_is_17 = fill_slot == 6'd17;
-    wire fill_slot_is_16 = fill_slot == 6'd16;
-    wire fill_slot_is_15 = fill_slot == 6'd15;
-    wire fill_slot_is_14 = fill_slot == 6'd14;
-    wire fill_slot_is_13 = fill_slot == 6'd13;
-    wire fill_slot_is_12 = fill_slot == 6'd12;
-    wire fill_slot_is_11 = fill_slot == 6'd11;
-    wire fill_slot_is_10 = fill_slot == 6'd10;
-    wire fill_slot_is_9 = fill_slot == 6'd9;
-    wire fill_slot_is_8 = fill_slot == 6'd8;
-    wire fill_slot_is_7 = fill_slot == 6'd7;
-    wire fill_slot_is_6 = fill_slot == 6'd6;
-    wire fill_slot_is_5 = fill_slot == 6'd5;
-    wire fill_slot_is_4 = fill_slot == 6'd4;
-    wire fill_slot_is_3 = fill_slot == 6'd3;
-    wire fill_slot_is_2 = fill_slot == 6'd2;
-    wire fill_slot_is_1 = fill_slot == 6'd1;
-    wire fill_slot_is_0 = fill_slot == 6'd0;
+    wire changed_slot_is_63 = changed_slot == 6'd63;
+    wire changed_slot_is_62 = changed_slot == 6'd62;
+    wire changed_slot_is_61 = changed_slot == 6'd61;
+    wire changed_slot_is_60 = changed_slot == 6'd60;
+    wire changed_slot_is_59 = changed_slot == 6'd59;
+    wire changed_slot_is_58 = changed_slot == 6'd58;
+    wire changed_slot_is_57 = changed_slot == 6'd57;
+    wire changed_slot_is_56 = changed_slot == 6'd56;
+    wire changed_slot_is_55 = changed_slot == 6'd55;
+    wire changed_slot_is_54 = changed_slot == 6'd54;
+    wire changed_slot_is_53 = changed_slot == 6'd53;
+    wire changed_slot_is_52 = changed_slot == 6'd52;
+    wire changed_slot_is_51 = changed_slot == 6'd51;
+    wire changed_slot_is_50 = changed_slot == 6'd50;
+    wire changed_slot_is_49 = changed_slot == 6'd49;
+    wire changed_slot_is_48 = changed_slot == 6'd48;
+    wire changed_slot_is_47 = changed_slot == 6'd47;
+    wire changed_slot_is_46 = changed_slot == 6'd46;
+    wire changed_slot_is_45 = changed_slot == 6'd45;
+    wire changed_slot_is_44 = changed_slot == 6'd44;
+    wire changed_slot_is_43 = changed_slot == 6'd43;
+    wire changed_slot_is_42 = changed_slot == 6'd42;
+    wire changed_slot_is_41 = changed_slot == 6'd41;
+    wire changed_slot_is_40 = changed_slot == 6'd40;
+    wire changed_slot_is_39 = changed_slot == 6'd39;
+    wire changed_slot_is_38 = changed_slot == 6'd38;
+    wire changed_slot_is_37 = changed_slot == 6'd37;
+    wire changed_slot_is_36 = changed_slot == 6'd36;
+    wire changed_slot_is_35 = changed_slot == 6'd35;
+    wire changed_slot_is_34 = changed_slot == 6'd34;
+    wire changed_slot_is_33 = changed_slot == 6'd33;
+    wire changed_slot_is_32 = changed_slot == 6'd32;
+    wire changed_slot_is_31 = changed_slot == 6'd31;
+    wire changed_slot_is_30 = changed_slot == 6'd30;
+    wire changed_slot_is_29 = changed_slot == 6'd29;
+    wire changed_slot_is_28 = changed_slot == 6'd28;
+    wire changed_slot_is_27 = changed_slot == 6'd27;
+    wire changed_slot_is_26 = changed_slot == 6'd26;
+    wire changed_slot_is_25 = changed_slot == 6'd25;
+    wire changed_slot_is_24 = changed_slot == 6'd24;
+    wire changed_slot_is_23 = changed_slot == 6'd23;
+    wire changed_slot_is_22 = changed_slot == 6'd22;
+    wire changed_slot_is_21 = changed_slot == 6'd21;
+    wire changed_slot_is_20 = changed_slot == 6'd20;
+    wire changed_slot_is_19 = changed_slot == 6'd19;
+    wire changed_slot_is_18 = changed_slot == 6'd18;
+    wire changed_slot_is_17 = changed_slot == 6'd17;
+    wire changed_slot_is_16 = changed_slot == 6'd16;
+    wire changed_slot_is_15 = changed_slot == 6'd15;
+    wire changed_slot_is_14 = changed_slot == 6'd14;
+    wire changed_slot_is_13 = changed_slot == 6'd13;
+    wire changed_slot_is_12 = changed_slot == 6'd12;
+    wire changed_slot_is_11 = changed_slot == 6'd11;
+    wire changed_slot_is_10 = changed_slot == 6'd10;
+    wire changed_slot_is_9 = changed_slot == 6'd9;
+    wire changed_slot_is_8 = changed_slot == 6'd8;
+    wire changed_slot_is_7 = changed_slot == 6'd7;
+    wire changed_slot_is_6 = changed_slot == 6'd6;
+    wire changed_slot_is_5 = changed_slot == 6'd5;
+    wire changed_slot_is_4 = changed_slot == 6'd4;
+    wire changed_slot_is_3 = changed_slot == 6'd3;
+    wire changed_slot_is_2 = changed_slot == 6'd2;
+    wire changed_slot_is_1 = changed_slot == 6'd1;
+    wire changed_slot_is_0 = changed_slot == 6'd0;
     wire [63:0] present_bits = {
-        store_and_not_fill_under_way & fill_slot_is_63, store_and_not_fill_under_way & fill_slot_is_62,
-        store_and_not_fill_under_way & fill_slot_is_61, store_and_not_fill_under_way & fill_slot_is_60,
-        store_and_not_fill_under_way & fill_slot_is_59, store_and_not_fill_under_way & fill_slot_is_58,
-        store_and_not_fill_under_way & fill_slot_is_57, store_and_not_fill_under_way & fill_slot_is_56,
-        store_and_not_fill_under_way & fill_slot_is_55, store_and_not_fill_under_way & fill_slot_is_54,
-        store_and_not_fill_under_way & fill_slot_is_53, store_and_not_fill_under_way & fill_slot_is_52,
-        store_and_not_fill_under_way & fill_slot_is_51, store_and_not_fill_under_way & fill_slot_is_50,
-        store_and_not_fill_under_way & fill_slot_is_49, store_and_not_fill_under_way & fill_slot_is_48,
-        store_and_not_fill_under_way & fill_slot_is_47, store_and_not_fill_under_way & fill_slot_is_46,
-        store_and_not_fill_under_way & fill_slot_is_45, store_and_not_fill_under_way & fill_slot_is_44,
-        store_and_not_fill_under_way & fill_slot_is_43, store_and_not_fill_under_way & fill_slot_is_42,
-        store_and_not_fill_under_way & fill_slot_is_41, store_and_not_fill_under_way & fill_slot_is_40,
-        store_and_not_fill_under_way & fill_slot_is_39, store_and_not_fill_under_way & fill_slot_is_38,
-        store_and_not_fill_under_way & fill_slot_is_37, store_and_not_fill_under_way & fill_slot_is_36,
-        store_and_not_fill_under_way & fill_slot_is_35, store_and_not_fill_under_way & fill_slot_is_34,
-        store_and_not_fill_under_way & fill_slot_is_33, store_and_not_fill_under_way & fill_slot_is_32,
-        store_and_not_fill_under_way & fill_slot_is_31, store_and_not_fill_under_way & fill_slot_is_30,
-        store_and_not_fill_under_way & fill_slot_is_29, store_and_not_fill_under_way & fill_slot_is_28,
-        store_and_not_fill_under_way & fill_slot_is_27, store_and_not_fill_under_way & fill_slot_is_26,
-        store_and_not_fill_under_way & fill_slot_is_25, store_and_not_fill_under_way & fill_slot_is_24,
-        store_and_not_fill_under_way & fill_slot_is_23, store_and_not_fill_under_way & fill_slot_is_22,
-        store_and_not_fill_under_way & fill_slot_is_21, store_and_not_fill_under_way & fill_slot_is_20,
-        store_and_not_fill_under_way & fill_slot_is_19, store_and_not_fill_under_way & fill_slot_is_18,
-        store_and_not_fill_under_way & fill_slot_is_17, store_and_not_fill_under_way & fill_slot_is_16,
-        store_and_not_fill_under_way & fill_slot_is_15, store_and_not_fill_under_way & fill_slot_is_14,
-        store_and_not_fill_under_way & fill_slot_is_13, store_and_not_fill_under_way & fill_slot_is_12,
-        store_and_not_fill_under_way & fill_slot_is_11, store_and_not_fill_under_way & fill_slot_is_10,
-        store_and_not_fill_under_way & fill_slot_is_9, store_and_not_fill_under_way & fill_slot_is_8,
-        store_and_not_fill_under_way & fill_slot_is_7, store_and_not_fill_under_way & fill_slot_is_6,
-        store_and_not_fill_under_way & fill_slot_is_5, store_and_not_fill_under_way & fill_slot_is_4,
-        store_and_not_fill_under_way & fill_slot_is_3, store_and_not_fill_under_way & fill_slot_is_2,
-        store_and_not_fill_under_way & fill_slot_is_1, store_and_not_fill_under_way & fill_slot_is_0
+        began & changed_slot_is_63, began & changed_slot_is_62, began & changed_slot_is_61,
+        began & changed_slot_is_60, began & changed_slot_is_59, began & changed_slot_is_58,
+        began & changed_slot_is_57, began & changed_slot_is_56, began & changed_slot_is_55,
+        began & changed_slot_is_54, began & changed_slot_is_53, began & changed_slot_is_52,
+        began & changed_slot_is_51, began & changed_slot_is_50, began & changed_slot_is_49,
+        began & changed_slot_is_48, began & changed_slot_is_47, began & changed_slot_is_46,
+        began & changed_slot_is_45, began & changed_slot_is_44, began & changed_slot_is_43,
+        began & changed_slot_is_42, began & changed_slot_is_41, began & changed_slot_is_40,
+        began & changed_slot_is_39, began & changed_slot_is_38, began & changed_slot_is_37,
+        began & changed_slot_is_36, began & changed_slot_is_35, began & changed_slot_is_34,
+        began & changed_slot_is_33, began & changed_slot_is_32, began & changed_slot_is_31,
+        began & changed_slot_is_30, began & changed_slot_is_29, began & changed_slot_is_28,
+        began & changed_slot_is_27, began & changed_slot_is_26, began & changed_slot_is_25,
+        began & changed_slot_is_24, began & changed_slot_is_23, began & changed_slot_is_22,
+        began & changed_slot_is_21, began & changed_slot_is_20, began & changed_slot_is_19,
+        began & changed_slot_is_18, began & changed_slot_is_17, began & changed_slot_is_16,
+        began & changed_slot_is_15, began & changed_slot_is_14, began & changed_slot_is_13,
+        began & changed_slot_is_12, began & changed_slot_is_11, began & changed_slot_is_10,
+        began & changed_slot_is_9, began & changed_slot_is_8, began & changed_slot_is_7,
+        began & changed_slot_is_6, began & changed_slot_is_5, began & changed_slot_is_4,
+        began & changed_slot_is_3, began & changed_slot_is_2, began & changed_slot_is_1,
+        began & changed_slot_is_0
     };
-    wire store_and_fill_queue_out_last = store & fill_queue_out_last;
     wire [63:0] present_bits_2 = {
-        store_and_fill_queue_out_last & fill_slot_is_63, store_and_fill_queue_out_last & fill_slot_is_62,
-        store_and_fill_queue_out_last & fill_slot_is_61, store_and_fill_queue_out_last & fill_slot_is_60,
-        store_and_fill_queue_out_last & fill_slot_is_59, store_and_fill_queue_out_last & fill_slot_is_58,
-        store_and_fill_queue_out_last & fill_slot_is_57, store_and_fill_queue_out_last & fill_slot_is_56,
-        store_and_fill_queue_out_last & fill_slot_is_55, store_and_fill_queue_out_last & fill_slot_is_54,
-        store_and_fill_queue_out_last & fill_slot_is_53, store_and_fill_queue_out_last & fill_slot_is_52,
-        store_and_fill_queue_out_last & fill_slot_is_51, store_and_fill_queue_out_last & fill_slot_is_50,
-        store_and_fill_queue_out_last & fill_slot_is_49, store_and_fill_queue_out_last & fill_slot_is_48,
-        store_and_fill_queue_out_last & fill_slot_is_47, store_and_fill_queue_out_last & fill_slot_is_46,
-        store_and_fill_queue_out_last & fill_slot_is_45, store_and_fill_queue_out_last & fill_slot_is_44,
-        store_and_fill_queue_out_last & fill_slot_is_43, store_and_fill_queue_out_last & fill_slot_is_42,
-        store_and_fill_queue_out_last & fill_slot_is_41, store_and_fill_queue_out_last & fill_slot_is_40,
-        store_and_fill_queue_out_last & fill_slot_is_39, store_and_fill_queue_out_last & fill_slot_is_38,
-        store_and_fill_queue_out_last & fill_slot_is_37, store_and_fill_queue_out_last & fill_slot_is_36,
-        store_and_fill_queue_out_last & fill_slot_is_35, store_and_fill_queue_out_last & fill_slot_is_34,
-        store_and_fill_queue_out_last & fill_slot_is_33, store_and_fill_queue_out_last & fill_slot_is_32,
-        store_and_fill_queue_out_last & fill_slot_is_31, store_and_fill_queue_out_last & fill_slot_is_30,
-        store_and_fill_queue_out_last & fill_slot_is_29, store_and_fill_queue_out_last & fill_slot_is_28,
-        store_and_fill_queue_out_last & fill_slot_is_27, store_and_fill_queue_out_last & fill_slot_is_26,
-        store_and_fill_queue_out_last & fill_slot_is_25, store_and_fill_queue_out_last & fill_slot_is_24,
-        store_and_fill_queue_out_last & fill_slot_is_23, store_and_fill_queue_out_last & fill_slot_is_22,
-        store_and_fill_queue_out_last & fill_slot_is_21, store_and_fill_queue_out_last & fill_slot_is_20,
-        store_and_fill_queue_out_last & fill_slot_is_19, store_and_fill_queue_out_last & fill_slot_is_18,
-        store_and_fill_queue_out_last & fill_slot_is_17, store_and_fill_queue_out_last & fill_slot_is_16,
-        store_and_fill_queue_out_last & fill_slot_is_15, store_and_fill_queue_out_last & fill_slot_is_14,
-        store_and_fill_queue_out_last & fill_slot_is_13, store_and_fill_queue_out_last & fill_slot_is_12,
-        store_and_fill_queue_out_last & fill_slot_is_11, store_and_fill_queue_out_last & fill_slot_is_10,
-        store_and_fill_queue_out_last & fill_slot_is_9, store_and_fill_queue_out_last & fill_slot_is_8,
-        store_and_fill_queue_out_last & fill_slot_is_7, store_and_fill_queue_out_last & fill_slot_is_6,
-        store_and_fill_queue_out_last & fill_slot_is_5, store_and_fill_queue_out_last & fill_slot_is_4,
-        store_and_fill_queue_out_last & fill_slot_is_3, store_and_fill_queue_out_last & fill_slot_is_2,
-        store_and_fill_queue_out_last & fill_slot_is_1, store_and_fill_queue_out_last & fill_slot_is_0
+        complete & changed_slot_is_63, complete & changed_slot_is_62, complete & changed_slot_is_61,
+        complete & changed_slot_is_60, complete & changed_slot_is_59, complete & changed_slot_is_58,
+        complete & changed_slot_is_57, complete & changed_slot_is_56, complete & changed_slot_is_55,
+        complete & changed_slot_is_54, complete & changed_slot_is_53, complete & changed_slot_is_52,
+        complete & changed_slot_is_51, complete & changed_slot_is_50, complete & changed_slot_is_49,
+        complete & changed_slot_is_48, complete & changed_slot_is_47, complete & changed_slot_is_46,
+        complete & changed_slot_is_45, complete & changed_slot_is_44, complete & changed_slot_is_43,
+        complete & changed_slot_is_42, complete & changed_slot_is_41, complete & changed_slot_is_40,
+        complete & changed_slot_is_39, complete & changed_slot_is_38, complete & changed_slot_is_37,
+        complete & changed_slot_is_36, complete & changed_slot_is_35, complete & changed_slot_is_34,
+        complete & changed_slot_is_33, complete & changed_slot_is_32, complete & changed_slot_is_31,
+        complete & changed_slot_is_30, complete & changed_slot_is_29, complete & changed_slot_is_28,
+        complete & changed_slot_is_27, complete & changed_slot_is_26, complete & changed_slot_is_25,
+        complete & changed_slot_is_24, complete & changed_slot_is_23, complete & changed_slot_is_22,
+        complete & changed_slot_is_21, complete & changed_slot_is_20, complete & changed_slot_is_19,
+        complete & changed_slot_is_18, complete & changed_slot_is_17, complete & changed_slot_is_16,
+        complete & changed_slot_is_15, complete & changed_slot_is_14, complete & changed_slot_is_13,
+        complete & changed_slot_is_12, complete & changed_slot_is_11, complete & changed_slot_is_10,
+        complete & changed_slot_is_9, complete & changed_slot_is_8, complete & changed_slot_is_7,
+        complete & changed_slot_is_6, complete & changed_slot_is_5, complete & changed_slot_is_4,
+        complete & changed_slot_is_3, complete & changed_slot_is_2, complete & changed_slot_is_1,
+        complete & changed_slot_is_0
     };
+    wire [63:0] l_present_shifted = present >> fetch_queue_out_slot;
+    wire l_present_same = changed_slot == fetch_queue_out_slot;
+    wire l_present_either = (l_present_shifted[0] & ~(began & l_present_same)) | (complete & l_present_same);
+    wire changed_slot_is_l_slot = changed_slot == l_slot;
+    wire l_present_both = complete & changed_slot_is_l_slot;
     wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
     wire [31:0] fill_queue_out_x0 = fill_queue_out_data[389:358];
     wire [31:0] fill_queue_out_y0 = fill_queue_out_data[357:326];
@@ -568,13 +570,9 @@ module search_point_cache (
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(r_valid & advance_r), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(s_valid & advance_s), .in_ready(beat_queue_in_ready),
         .in_data({
-            r_thread, r_address, r_last, r_read ? read[383:352] : r_x0, r_read ? read[351:320] : r_y0,
-            r_read ? read[319:288] : r_z0, r_read ? read[287:256] : r_x1, r_read ? read[255:224] : r_y1,
-            r_read ? read[223:192] : r_z1, r_read ? read[191:160] : r_x2, r_read ? read[159:128] : r_y2,
-            r_read ? read[127:96] : r_z2, r_read ? read[95:64] : r_x3, r_read ? read[63:32] : r_y3,
-            r_read ? read[31:0] : r_z3
+            s_thread, s_address, s_last, s_x0, s_y0, s_z0, s_x1, s_y1, s_z1, s_x2, s_y2, s_z2, s_x3, s_y3, s_z3
         }),
         .out_valid(beat_valid), .out_ready(beat_ready), .out_data(beat_queue_out_data)
     );
@@ -594,9 +592,12 @@ module search_point_cache (
             fill_count <= 3'd0;
             l_valid <= 1'd0;
             run_valid <= 1'd0;
+            began <= 1'd0;
+            complete <= 1'd0;
             present <= 64'd0;
             run_count <= 3'd0;
             r_valid <= 1'd0;
+            s_valid <= 1'd0;
             event_point_hit <= 1'd0;
             event_point_miss <= 1'd0;
         end else begin
@@ -606,15 +607,20 @@ module search_point_cache (
             end
             if (advance_l) l_valid <= fetch_queue_out_valid;
             run_valid <= hits | (run_valid & ~(run_step & run_last));
+            began <= store_and_not_fill_under_way;
+            complete <= store & fill_queue_out_last;
             present <= (present & ~present_bits) | present_bits_2;
             event_point_hit <= hits;
             event_point_miss <= misses;
             if (run_step) run_count <= run_last ? 3'd0 : run_count_plus_1;
             if (advance_r) r_valid <= runs | fill_queue_out_valid;
+            if (advance_s) s_valid <= r_valid;
         end
     end
     always @(posedge clk) begin
         fill_slot_before <= fill_slot;
+        changed_slot <= fill_slot;
+        l_present <= advance_l ? l_present_either : (l_present | l_present_both);
         if (fill_taken) fill_kept_before <= fill_kept;
         if (advance_l) begin
             l_thread <= fetch_queue_out_thread;
@@ -646,24 +652,49 @@ module search_point_cache (
             r_y3 <= fill_queue_out_y3;
             r_z3 <= fill_queue_out_z3;
         end
+        if (advance_s) begin
+            s_thread <= r_thread;
+            s_address <= r_address;
+            s_last <= r_last;
+            s_x0 <= r_read ? read[383:352] : r_x0;
+            s_y0 <= r_read ? read[351:320] : r_y0;
+            s_z0 <= r_read ? read[319:288] : r_z0;
+            s_x1 <= r_read ? read[287:256] : r_x1;
+            s_y1 <= r_read ? read[255:224] : r_y1;
+            s_z1 <= r_read ? read[223:192] : r_z1;
+            s_x2 <= r_read ? read[191:160] : r_x2;
+            s_y2 <= r_read ? read[159:128] : r_y2;
+            s_z2 <= r_read ? read[127:96] : r_z2;
+            s_x3 <= r_read ? read[95:64] : r_x3;
+            s_y3 <= r_read ? read[63:32] : r_y3;
+            s_z3 <= r_read ? read[31:0] : r_z3;
+        end
     end
 
-    wire _unused = &{1'b0, present_shifted_by_l_slot[63:1]};
+    wire _unused = &{1'b0, l_present_shifted[63:1]};
 
 `ifdef RTL_ASSERT
     wire [63:0] present_shifted_by_run_slot = present >> run_slot;
+    wire changed_slot_is_run_slot = changed_slot == run_slot;
+    wire check_both = present_shifted_by_run_slot[0] & ~(began & changed_slot_is_run_slot);
+    wire [63:0] present_shifted_by_l_slot = present >> l_slot;
+    wire check_either = (present_shifted_by_l_slot[0] & ~(began & changed_slot_is_l_slot)) | l_present_both;
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        what_is_read_is_there: assert (~run_valid | present_shifted_by_run_slot[0]);
+        what_is_read_is_there: assert (~run_valid | (check_both | (complete & changed_slot_is_run_slot)));
+        what_is_looked_up_is_known: assert (~(l_valid & l_present) | check_either);
 `else
-        if (!(~run_valid | present_shifted_by_run_slot[0])) begin
+        if (!(~run_valid | (check_both | (complete & changed_slot_is_run_slot)))) begin
             $display("assertion failed: what_is_read_is_there in %m"); $stop;
+        end
+        if (!(~(l_valid & l_present) | check_either)) begin
+            $display("assertion failed: what_is_looked_up_is_known in %m"); $stop;
         end
 `endif
     end
 
-    wire _unused_by_checks = &{1'b0, present_shifted_by_run_slot[63:1]};
+    wire _unused_by_checks = &{1'b0, present_shifted_by_l_slot[63:1], present_shifted_by_run_slot[63:1]};
 `endif
 endmodule
 
@@ -814,7 +845,7 @@ module search_queue (
     reg [30:0] beat_distance3;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [3:0] item_thread;
-    reg item_fresh;
+    reg item_stays, item_fresh;
     reg [23:0] new_index;  // The point's place in the point memory.
     reg [30:0] new_distance2;  // Its squared distance.
     reg [31:0] nearer;
@@ -832,12 +863,11 @@ module search_queue (
     reg [15:0] from_leaf;
     reg [1791:0] sent_row;
     reg [23:0] sent_number;
-    reg [5:0] position;
+    reg [5:0] position, next_position;
 
     wire finish_queue_out_valid;
     wire [3:0] finish_queue_out_data;
 
-    wire [5:0] next_position = position + 6'd1;
     wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1791] : sent_row[1735]) : next_position[0] ? sent_row[1679] : sent_row[1623];
     wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1567] : sent_row[1511]) : next_position[0] ? sent_row[1455] : sent_row[1399];
     wire last_result_choice_3 = next_position[1] ? (next_position[0] ? sent_row[1343] : sent_row[1287]) : next_position[0] ? sent_row[1231] : sent_row[1175];
@@ -1206,6 +1236,7 @@ module search_queue (
         radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
+    wire fetching_or_result_transfer = fetching | result_transfer;
     wire [15:0] arrivals_data_shifted = from_leaf >> candidates_thread;
     wire [30:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [30:0] query_radius2 = query_radii[candidates_thread];
@@ -1255,6 +1286,7 @@ module search_queue (
             item_reads <= 1'd0;
             item_inserts <= 1'd0;
             item_last <= 1'd0;
+            item_stays <= 1'd1;
             nearer <= 32'd0;
             new_last <= 1'd0;
             radius_valid <= 1'd0;
@@ -1277,6 +1309,7 @@ module search_queue (
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
             item_last <= done & beat_last;
+            item_stays <= ~reads;
             nearer <= nearer_entries & {32{item_inserts}};
             new_last <= item_last;
             radius_valid <= new_last;
@@ -1296,7 +1329,7 @@ module search_queue (
     end
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
-        working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
+        working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
         beat_pending <= take ? beat_pending_bits : left;
         item_thread <= beat_thread;
         item_fresh <= fresh_shifted_by_beat_thread[0];
@@ -1327,8 +1360,9 @@ module search_queue (
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[91:68];
         end
-        if (fetching | result_transfer) begin
+        if (fetching_or_result_transfer) begin
             position <= fetching ? (6'd32 - query[67:62]) : next_position;
+            next_position <= fetching ? (6'd33 - query[67:62]) : (next_position + 6'd1);
         end
     end
     always @(posedge clk) begin

@@ -1038,7 +1038,7 @@ module bus_registers (
     reg void_0;
     reg [6:0] part_1;
     reg void_1;
-    reg [7:0] part_2;
+    reg [6:0] part_2;
     reg void_2;
     reg [5:0] part_3;
     reg void_3;
@@ -1060,7 +1060,7 @@ module bus_registers (
     reg void_11;
     reg [5:0] part_12;
     reg void_12;
-    reg [7:0] part;
+    reg [6:0] part;
     reg is_void;
     reg [31:0] word;
     reg [3:0] round;
@@ -1144,7 +1144,7 @@ module bus_registers (
     wire visits_1 = looks & (visited == 4'd1);
     wire [6:0] refused_busy_plus_busy_error = {6'd0, refused_busy} + {6'd0, busy_error};
     wire visits_2 = looks & (visited == 4'd2);
-    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]} + {7'd0, burst_error[2]};
+    wire [6:0] part_2_sum = {6'd0, burst_error[0]} + {6'd0, burst_error[1]} + {6'd0, burst_error[2]};
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
     wire visits_5 = looks & (visited == 4'd5);
@@ -1169,13 +1169,13 @@ module bus_registers (
     wire visits_12 = looks & (visited == 4'd12);
     wire event_thread_wait_and_busy = event_thread_wait & busy;
     wire [5:0] part_12_bits = {5'd0, event_thread_wait_and_busy};
-    wire [7:0] part_choice = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
-    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {2'd0, part_4};
-    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
+    wire [6:0] part_choice = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [6:0] part_choice_2 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
+    wire [6:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
     wire is_void_choice = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
     wire is_void_choice_2 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
     wire is_void_choice_3 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
-    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
+    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
     wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430b01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
     wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
@@ -1212,7 +1212,7 @@ module bus_registers (
             void_0 <= 1'd1;
             part_1 <= 7'd0;
             void_1 <= 1'd1;
-            part_2 <= 8'd0;
+            part_2 <= 7'd0;
             void_2 <= 1'd1;
             part_3 <= 6'd0;
             void_3 <= 1'd1;
@@ -1299,7 +1299,7 @@ module bus_registers (
         end
         if (judges) write_is_okay <= write_accepted;
         if (read_ready) read_address <= s_axil_araddr;
-        part <= visited[3] ? (visited[2] ? {2'd0, part_12} : part_choice) : visited[2] ? part_choice_2 : part_choice_3;
+        part <= visited[3] ? (visited[2] ? {1'd0, part_12} : part_choice) : visited[2] ? part_choice_2 : part_choice_3;
         is_void <= visited[3] ? (visited[2] ? void_12 : is_void_choice) : visited[2] ? is_void_choice_2 : is_void_choice_3;
         read_value <= saturated;
         if (answers) begin
@@ -1315,7 +1315,7 @@ module bus_registers (
 `ifdef RTL_ASSERT
     wire [7:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
     wire [7:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
-    wire [8:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
+    wire [7:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
     wire [6:0] part_3_plus_packet_error = {1'd0, part_3} + {6'd0, packet_error};
     wire [6:0] part_4_plus_memory_error = {1'd0, part_4} + {6'd0, memory_error};
     wire [6:0] part_5_plus_busy = {1'd0, part_5} + {6'd0, busy};
@@ -1331,7 +1331,7 @@ module bus_registers (
 `ifdef FORMAL
         part_0_has_room: assert (~part_0_plus_part_0_sum[7]);
         part_1_has_room: assert (~check_sum[7]);
-        part_2_has_room: assert (~part_2_plus_part_2_sum[8]);
+        part_2_has_room: assert (~part_2_plus_part_2_sum[7]);
         part_3_has_room: assert (~part_3_plus_packet_error[6]);
         part_4_has_room: assert (~part_4_plus_memory_error[6]);
         part_5_has_room: assert (~part_5_plus_busy[6]);
@@ -1347,7 +1347,7 @@ module bus_registers (
             $display("assertion failed: part_0_has_room in %m"); $stop;
         end
         if (!(~check_sum[7])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
-        if (!(~part_2_plus_part_2_sum[8])) begin
+        if (!(~part_2_plus_part_2_sum[7])) begin
             $display("assertion failed: part_2_has_room in %m"); $stop;
         end
         if (!(~part_3_plus_packet_error[6])) begin
@@ -1373,7 +1373,7 @@ module bus_registers (
 
     wire _unused_by_checks = &{
         1'b0, check_sum[6:0], check_sum_2[5:0], check_sum_3[5:0], check_sum_4[5:0], check_sum_5[5:0],
-        check_sum_6[5:0], check_sum_7[5:0], part_0_plus_part_0_sum[6:0], part_2_plus_part_2_sum[7:0],
+        check_sum_6[5:0], check_sum_7[5:0], part_0_plus_part_0_sum[6:0], part_2_plus_part_2_sum[6:0],
         part_3_plus_packet_error[5:0], part_4_plus_memory_error[5:0], part_5_plus_busy[5:0],
         part_9_plus_event_pop_and_busy[5:0]
     };

@@ -270,7 +270,7 @@ module search_queue (
     reg [22:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [1:0] item_thread;
-    reg item_fresh;
+    reg item_stays, item_fresh;
     reg [15:0] new_index;  // The point's place in the point memory.
     reg [22:0] new_distance2;  // Its squared distance.
     reg [7:0] nearer;
@@ -288,12 +288,11 @@ module search_queue (
     reg [3:0] from_leaf;
     reg [319:0] sent_row;
     reg [15:0] sent_number;
-    reg [3:0] position;
+    reg [3:0] position, next_position;
 
     wire finish_queue_out_valid;
     wire [1:0] finish_queue_out_data;
 
-    wire [3:0] next_position = position + 4'd1;
     wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[319] : sent_row[279]) : next_position[0] ? sent_row[239] : sent_row[199];
     wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[159] : sent_row[119]) : next_position[0] ? sent_row[79] : sent_row[39];
     wire last_result = (position == 4'd7) | ~(next_position[2] ? last_result_choice : last_result_choice_2);
@@ -411,6 +410,7 @@ module search_queue (
         radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
+    wire fetching_or_result_transfer = fetching | result_transfer;
     wire [3:0] arrivals_data_shifted = from_leaf >> candidates_thread;
     wire [22:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [22:0] query_radius2 = query_radii[candidates_thread];
@@ -456,6 +456,7 @@ module search_queue (
             item_reads <= 1'd0;
             item_inserts <= 1'd0;
             item_last <= 1'd0;
+            item_stays <= 1'd1;
             nearer <= 8'd0;
             new_last <= 1'd0;
             radius_valid <= 1'd0;
@@ -477,6 +478,7 @@ module search_queue (
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
             item_last <= moves & beat_last;
+            item_stays <= ~reads;
             nearer <= nearer_entries & {8{item_inserts}};
             new_last <= item_last;
             radius_valid <= new_last;
@@ -495,7 +497,7 @@ module search_queue (
     end
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
-        working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
+        working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
         beat_pending <= take ? beat_pending_both : left;
         item_thread <= beat_thread;
         item_fresh <= fresh_shifted_by_beat_thread[0];
@@ -523,8 +525,9 @@ module search_queue (
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[49:34];
         end
-        if (fetching | result_transfer) begin
+        if (fetching_or_result_transfer) begin
             position <= fetching ? (4'd8 - query[33:30]) : next_position;
+            next_position <= fetching ? (4'd9 - query[33:30]) : (next_position + 4'd1);
         end
     end
     always @(posedge clk) begin

@@ -1,8 +1,9 @@
 //! Point cache (thesis 6.5.2, table 6.3): keeps the points of whole leaves in front of the memory; golden twin:
 //! `pointcore_golden::search::point_cache`.
 //!
-//! A lookup `l` sends a leaf either to `run`, which reads it from its slot, or to the memory; `r` holds the beat on its way
-//! out. What `l` has read of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
+//! A lookup `l` sends a leaf either to `run`, which reads it from its slot, or to the memory; `r` and `s` hold the beats on their
+//! way out: it is late in its cycle that a block RAM shows what it has read, so that goes into a register, `s`, first. What `l`
+//! has read of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
 
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Beat, BeatPlace, Fetch, Points};
@@ -114,9 +115,8 @@ impl Fill {
         Self { head, under_way, slot, count, kept_before: m.reg("fill_kept_before", 1) }
     }
 
-    /// Writes the beats of a leaf that is kept, as they are taken, and its tag; returns the memories and the set of slots
-    /// whose points are there.
-    fn store(&self, m: &mut Module, config: &Config, take: Expr, may_keep: Expr) -> (Memory, Memory, Reg) {
+    /// Writes the beats of a leaf that is kept, as they are taken, and its tag.
+    fn store(&self, m: &mut Module, config: &Config, take: Expr, may_keep: Expr) -> Stored {
         let slots = config.point_cache;
         let Self { ref head, under_way, slot, count, kept_before } = *self;
         let Beat { place, points: item } = head.record.beat;
@@ -134,10 +134,41 @@ impl Fill {
         let begins = store & !under_way;
         let tags = m.memory("tags", slots, address.width());
         m.write(tags, begins, slot, address);
+        // What happens to a slot is known late in a cycle, so it is told of in the next one.
+        let [began, complete] = ["began", "complete"].map(|name| m.reg_reset(name, 1, 0));
+        m.next(began, begins);
+        m.next(complete, store & last);
+        let changed = m.reg("changed_slot", slot.width());
+        m.next(changed, slot);
         let present = m.reg_reset("present", slots, 0);
-        let complete = decode(store & last, slot, slots);
-        m.next(present, (present & !decode(begins, slot, slots)) | complete);
-        (points, tags, present)
+        let [begun, completed] = [began, complete].map(|happened| decode(happened, changed, slots));
+        m.next(present, (present & !begun) | completed);
+        Stored { points, tags, present, began, complete, changed }
+    }
+}
+
+/// What is kept of leaves.
+struct Stored {
+    points: Memory,
+    tags: Memory,
+    /// The slots whose points are there, but for one that changed.
+    present: Reg,
+    /// A leaf began in a slot, or is complete: in the cycle before.
+    began: Reg,
+    complete: Reg,
+    changed: Reg,
+}
+
+impl Stored {
+    /// The points of a slot that is looked up are complete by now.
+    fn completes(&self, slot: Expr) -> Expr {
+        *self.complete & self.changed.eq(slot)
+    }
+
+    /// The points of a slot are there.
+    fn is_present(&self, slot: Expr) -> Expr {
+        let begins = *self.began & self.changed.eq(slot);
+        (contains(*self.present, slot) & !begins) | self.completes(slot)
     }
 }
 
@@ -162,11 +193,15 @@ pub fn module(config: &Config) -> Module {
     let in_head = fetch.valid & fetch_slot.eq(fill_slot);
     let may_keep = m.wire("may_keep", !(in_lookup | in_head));
     let runs = m.wire("runs", run.valid & !fill.under_way);
-    let (points, tags, present) = fill.store(&mut m, config, advance_r & !runs, may_keep);
+    let stored = fill.store(&mut m, config, advance_r & !runs, may_keep);
 
-    // A hit waits for the leaf that is read, a miss for the way to the memory.
-    let tag = m.read_if(tags, "tag", advance_l, fetch_slot);
-    let hit = m.wire("hit", contains(present, l.request.slot) & tag.eq(l.request.fetch.address));
+    // A hit waits for the leaf that is read, a miss for the way to the memory. Whether a slot's points are there is found as its
+    // lookup begins; they may be complete later.
+    let tag = m.read_if(stored.tags, "tag", advance_l, fetch_slot);
+    let is_present = m.reg("l_present", 1);
+    let [found, completes] = [stored.is_present(fetch_slot), stored.completes(l.request.slot)];
+    m.next(is_present, advance_l.mux(found, is_present | completes));
+    let hit = m.wire("hit", is_present & tag.eq(l.request.fetch.address));
     let hits = m.wire("hits", l.valid & (hit & !run.valid));
     let misses = m.wire("misses", l.valid & (!hit & miss.room));
     m.drive(advance_l, !l.valid | (hits | misses));
@@ -181,10 +216,11 @@ pub fn module(config: &Config) -> Module {
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
     m.next(run.valid, hits | (run.valid & !(step & run_last)));
     // Never in a cycle in which one is stored: what is written need not be told from what is read.
-    let read = m.read_if(points, "read", step, word_of(config, run.request.slot, *run_count));
+    let read = m.read_if(stored.points, "read", step, word_of(config, run.request.slot, *run_count));
 
-    let r_valid = m.reg_reset("r_valid", 1, 0);
-    m.drive(advance_r, !r_valid | beat.room);
+    let [r_valid, s_valid] = ["r_valid", "s_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let advance_s = m.wire("advance_s", !s_valid | beat.room);
+    m.drive(advance_r, !r_valid | advance_s);
     m.next_if(r_valid, advance_r, runs | fill.head.valid);
     let r_read = m.reg("r_read", 1);
     m.next_if(r_read, advance_r, runs);
@@ -194,10 +230,13 @@ pub fn module(config: &Config) -> Module {
     let next = Beat { place: BeatPlace::choose(config, runs, running, place), points: filling };
     let r = next.register(&mut m, config, "r_", advance_r);
     let points = Points::choose(config, r_read, Points::unpack(config, read), r.points);
-    beat.push(&mut m, config, r_valid & advance_r, Beat { place: r.place, points });
+    m.next_if(s_valid, advance_s, r_valid);
+    let s = Beat { place: r.place, points }.register(&mut m, config, "s_", advance_s);
+    beat.push(&mut m, config, s_valid & advance_s, s);
 
     PORTS.events.event(&mut m, config, |events| events.hit, hits);
     PORTS.events.event(&mut m, config, |events| events.miss, misses);
-    m.assert("what_is_read_is_there", !run.valid | contains(present, run.request.slot));
+    m.assert("what_is_read_is_there", !run.valid | stored.is_present(run.request.slot));
+    m.assert("what_is_looked_up_is_known", !(l.valid & is_present) | stored.is_present(l.request.slot));
     m
 }

@@ -52,8 +52,11 @@ pub struct PointCache {
     looked_up: Option<LookedUp>,
     run: Option<Run>,
     filling: Option<Filling>,
-    /// The stage r.
+    /// The slot whose leaf is complete since the cycle before: lookups know of it in the next.
+    completed: Option<usize>,
+    /// The stages r and s.
     chosen: Option<Beat>,
+    read: Option<Beat>,
     miss: Skid<Fetch>,
     beat: Skid<Beat>,
     events: PointCacheEvents,
@@ -72,7 +75,9 @@ impl PointCache {
             looked_up: None,
             run: None,
             filling: None,
+            completed: None,
             chosen: None,
+            read: None,
             miss: Skid::default(),
             beat: Skid::default(),
             events: PointCacheEvents::default(),
@@ -107,12 +112,13 @@ impl PointCache {
             let slot = Some(self.slot(address)).filter(|slot| !claimed.contains(&Some(*slot)));
             Filling { slot, beats_taken: 0 }
         });
-        if let Some(slot) = filling.slot.map(|slot| &mut self.slots[slot]) {
+        if let Some(number) = filling.slot {
+            let slot = &mut self.slots[number];
             slot.beats[filling.beats_taken] = beat.points.lane;
-            slot.present = last;
             if filling.beats_taken == 0 {
-                slot.tag = address;
+                (slot.tag, slot.present) = (address, false);
             }
+            self.completed = last.then_some(number);
         }
         filling.beats_taken += 1;
         self.filling = (!last).then_some(filling);
@@ -156,8 +162,12 @@ impl Model for PointCache {
             self.looked_up = requested.map(|fetch| self.look_up(fetch));
         }
 
-        let chooses = self.chosen.is_none() || self.beat.in_ready();
-        let shown = if chooses { self.chosen.take() } else { None };
+        if let Some(slot) = self.completed.take() {
+            self.slots[slot].present = true;
+        }
+        let reads = self.read.is_none() || self.beat.in_ready();
+        let chooses = self.chosen.is_none() || reads;
+        let shown = if reads { std::mem::replace(&mut self.read, self.chosen.take()) } else { None };
         let mut takes_fill = false;
         match self.run {
             _ if !chooses => {}

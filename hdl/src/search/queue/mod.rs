@@ -178,6 +178,7 @@ impl Stages<'_> {
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
         m.next(item.valid, fetch.moves);
         m.next(item.reads, fetch.reads);
+        m.next(item.stays, !fetch.reads);
         m.next(item.inserts, fetch.moves & choice.any);
         let done = m.wire("done", fetch.moves & !choice.stays);
         m.next(item.last, done & beat.record.place.last);
@@ -206,7 +207,7 @@ impl Stages<'_> {
         let nearer_read = read(placeholders(config, fetch.query.sentinels), nearer_stored);
         let nearer = m.wire("nearer_entries", item.reads.mux(nearer_read, set(&nearer_now)));
         insertion.take(m, config, item, nearer, candidate);
-        m.next(working.row, item.reads.mux(read(fetch.initial, fetch.stored), inserted.row));
+        m.next(working.row, item.stays.mux(inserted.row, read(fetch.initial, fetch.stored)));
         m.next_if(working.owner, item.valid, item.thread);
         m.next(working.owned, working.owned | item.valid);
     }

@@ -79,11 +79,13 @@ impl Readout {
 
         let neighbors = config.neighbors;
         let rank_bits = config.rank_bits();
-        let position = m.reg("position", rank_bits);
-        let next_position = m.wire("next_position", position.add_lit(1));
+        // The next one's place is a register, too: whether there is a neighbor has to be found within the cycle.
+        let [position, next_position] = ["position", "next_position"].map(|name| m.reg(name, rank_bits));
         let transfer = m.forward("result_transfer", 1);
-        let first = lit(rank_bits, neighbors as u128) - query.k;
-        m.next_if(position, fetching | transfer, fetching.mux(first, next_position));
+        let first = |places: u32| lit(rank_bits + 1, places.into()).trunc(rank_bits) - query.k;
+        let moves = fetching | transfer;
+        m.next_if(position, moves, fetching.mux(first(neighbors), next_position));
+        m.next_if(next_position, moves, fetching.mux(first(neighbors + 1), next_position.add_lit(1)));
 
         let words = entries(config, *row);
         let entry_bits = address_width(neighbors);
@@ -91,7 +93,7 @@ impl Readout {
             position.trunc(entry_bits).pick(words.iter().map(value).collect::<Vec<_>>())
         };
         let at_end = position.eq_lit(neighbors as u128 - 1);
-        let last = m.wire("last_result", at_end | !at(next_position, |entry| entry.found));
+        let last = m.wire("last_result", at_end | !at(*next_position, |entry| entry.found));
         let result = QueryResult {
             number: *number,
             last,

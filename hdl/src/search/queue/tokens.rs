@@ -75,6 +75,8 @@ pub(super) struct Item {
     pub valid: Reg,
     /// Its row is being read from memory.
     pub reads: Reg,
+    /// It is not: a register of its own, for thousands of bits of rows are chosen by it.
+    pub stays: Reg,
     /// That row holds nothing of its search yet.
     pub fresh: Reg,
     pub inserts: Reg,
@@ -87,7 +89,8 @@ impl Item {
         let mut flag = |name: &str| m.reg_reset(&format!("item_{name}"), 1, 0);
         let [valid, reads, inserts, last] = ["valid", "reads", "inserts", "last"].map(&mut flag);
         let thread = m.reg("item_thread", config.thread_bits());
-        Self { valid, reads, fresh: m.reg("item_fresh", 1), inserts, last, thread }
+        let stays = m.reg_reset("item_stays", 1, 1);
+        Self { valid, reads, stays, fresh: m.reg("item_fresh", 1), inserts, last, thread }
     }
 }
 
