@@ -6595,6 +6595,7 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [1791:0] stored;
     wire [91:0] query;
+    reg [30:0] item_distance2_inverse;
     reg [23:0] item_index;  // The point's place in the point memory.
     reg [30:0] item_distance2;  // Its squared distance.
     reg [15:0] from_leaf;
@@ -6840,55 +6841,56 @@ module search_queue (
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
     wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [31:0] nearer_entries_bits = {
-        item_distance2 < stored[1766:1736], item_distance2 < stored[1710:1680],
-        item_distance2 < stored[1654:1624], item_distance2 < stored[1598:1568],
-        item_distance2 < stored[1542:1512], item_distance2 < stored[1486:1456],
-        item_distance2 < stored[1430:1400], item_distance2 < stored[1374:1344],
-        item_distance2 < stored[1318:1288], item_distance2 < stored[1262:1232],
-        item_distance2 < stored[1206:1176], item_distance2 < stored[1150:1120],
-        item_distance2 < stored[1094:1064], item_distance2 < stored[1038:1008],
-        item_distance2 < stored[982:952], item_distance2 < stored[926:896], item_distance2 < stored[870:840],
-        item_distance2 < stored[814:784], item_distance2 < stored[758:728], item_distance2 < stored[702:672],
-        item_distance2 < stored[646:616], item_distance2 < stored[590:560], item_distance2 < stored[534:504],
-        item_distance2 < stored[478:448], item_distance2 < stored[422:392], item_distance2 < stored[366:336],
-        item_distance2 < stored[310:280], item_distance2 < stored[254:224], item_distance2 < stored[198:168],
-        item_distance2 < stored[142:112], item_distance2 < stored[86:56], item_distance2 < stored[30:0]
+        ~item_distance2_inverse < stored[1766:1736], ~item_distance2_inverse < stored[1710:1680],
+        ~item_distance2_inverse < stored[1654:1624], ~item_distance2_inverse < stored[1598:1568],
+        ~item_distance2_inverse < stored[1542:1512], ~item_distance2_inverse < stored[1486:1456],
+        ~item_distance2_inverse < stored[1430:1400], ~item_distance2_inverse < stored[1374:1344],
+        ~item_distance2_inverse < stored[1318:1288], ~item_distance2_inverse < stored[1262:1232],
+        ~item_distance2_inverse < stored[1206:1176], ~item_distance2_inverse < stored[1150:1120],
+        ~item_distance2_inverse < stored[1094:1064], ~item_distance2_inverse < stored[1038:1008],
+        ~item_distance2_inverse < stored[982:952], ~item_distance2_inverse < stored[926:896],
+        item_distance2 < stored[870:840], item_distance2 < stored[814:784], item_distance2 < stored[758:728],
+        item_distance2 < stored[702:672], item_distance2 < stored[646:616], item_distance2 < stored[590:560],
+        item_distance2 < stored[534:504], item_distance2 < stored[478:448], item_distance2 < stored[422:392],
+        item_distance2 < stored[366:336], item_distance2 < stored[310:280], item_distance2 < stored[254:224],
+        item_distance2 < stored[198:168], item_distance2 < stored[142:112], item_distance2 < stored[86:56],
+        item_distance2 < stored[30:0]
     };
-    wire nearer_entries_in_order = item_distance2 < working[1710:1680];
+    wire nearer_entries_in_order = ~item_distance2_inverse < working[1710:1680];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[1766:1736]);
-    wire nearer_entries_in_order_3 = item_distance2 < working[1654:1624];
+    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse < working[1766:1736]);
+    wire nearer_entries_in_order_3 = ~item_distance2_inverse < working[1654:1624];
     wire nearer_entries_choice_2 = nearer[29] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = item_distance2 < working[1598:1568];
+    wire nearer_entries_in_order_4 = ~item_distance2_inverse < working[1598:1568];
     wire nearer_entries_choice_3 = nearer[28] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = item_distance2 < working[1542:1512];
+    wire nearer_entries_in_order_5 = ~item_distance2_inverse < working[1542:1512];
     wire nearer_entries_choice_4 = nearer[27] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = item_distance2 < working[1486:1456];
+    wire nearer_entries_in_order_6 = ~item_distance2_inverse < working[1486:1456];
     wire nearer_entries_choice_5 = nearer[26] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = item_distance2 < working[1430:1400];
+    wire nearer_entries_in_order_7 = ~item_distance2_inverse < working[1430:1400];
     wire nearer_entries_choice_6 = nearer[25] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = item_distance2 < working[1374:1344];
+    wire nearer_entries_in_order_8 = ~item_distance2_inverse < working[1374:1344];
     wire nearer_entries_choice_7 = nearer[24] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_9 = item_distance2 < working[1318:1288];
+    wire nearer_entries_in_order_9 = ~item_distance2_inverse < working[1318:1288];
     wire nearer_entries_choice_8 = nearer[23] ? nearer_entries_in_order_9 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_10 = item_distance2 < working[1262:1232];
+    wire nearer_entries_in_order_10 = ~item_distance2_inverse < working[1262:1232];
     wire nearer_entries_choice_9 = nearer[22] ? nearer_entries_in_order_10 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_11 = item_distance2 < working[1206:1176];
+    wire nearer_entries_in_order_11 = ~item_distance2_inverse < working[1206:1176];
     wire nearer_entries_choice_10 = nearer[21] ? nearer_entries_in_order_11 : nearer_entries_in_order_2;
     wire nearer_entries_choice_11 = nearer[22] ? nearer_entries_choice_10 : nearer_entries_in_order_10;
-    wire nearer_entries_in_order_12 = item_distance2 < working[1150:1120];
+    wire nearer_entries_in_order_12 = ~item_distance2_inverse < working[1150:1120];
     wire nearer_entries_choice_12 = nearer[20] ? nearer_entries_in_order_12 : nearer_entries_in_order_2;
     wire nearer_entries_choice_13 = nearer[21] ? nearer_entries_choice_12 : nearer_entries_in_order_11;
-    wire nearer_entries_in_order_13 = item_distance2 < working[1094:1064];
+    wire nearer_entries_in_order_13 = ~item_distance2_inverse < working[1094:1064];
     wire nearer_entries_choice_14 = nearer[19] ? nearer_entries_in_order_13 : nearer_entries_in_order_2;
     wire nearer_entries_choice_15 = nearer[20] ? nearer_entries_choice_14 : nearer_entries_in_order_12;
-    wire nearer_entries_in_order_14 = item_distance2 < working[1038:1008];
+    wire nearer_entries_in_order_14 = ~item_distance2_inverse < working[1038:1008];
     wire nearer_entries_choice_16 = nearer[18] ? nearer_entries_in_order_14 : nearer_entries_in_order_2;
     wire nearer_entries_choice_17 = nearer[19] ? nearer_entries_choice_16 : nearer_entries_in_order_13;
-    wire nearer_entries_in_order_15 = item_distance2 < working[982:952];
+    wire nearer_entries_in_order_15 = ~item_distance2_inverse < working[982:952];
     wire nearer_entries_choice_18 = nearer[17] ? nearer_entries_in_order_15 : nearer_entries_in_order_2;
     wire nearer_entries_choice_19 = nearer[18] ? nearer_entries_choice_18 : nearer_entries_in_order_14;
-    wire nearer_entries_in_order_16 = item_distance2 < working[926:896];
+    wire nearer_entries_in_order_16 = ~item_distance2_inverse < working[926:896];
     wire nearer_entries_choice_20 = nearer[16] ? nearer_entries_in_order_16 : nearer_entries_in_order_2;
     wire nearer_entries_choice_21 = nearer[17] ? nearer_entries_choice_20 : nearer_entries_in_order_15;
     wire nearer_entries_in_order_17 = item_distance2 < working[870:840];
@@ -6963,6 +6965,7 @@ module search_queue (
     wire result_ends = result_transfer & last_result;
     wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
     wire [30:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [30:0] item_distance2_choice_2 = chosen[0] ? beat_distance0 : item_distance2_choice;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
         radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
@@ -7079,8 +7082,9 @@ module search_queue (
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
+        item_distance2_inverse <= ~item_distance2_choice_2;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : item_distance2_choice;
+        item_distance2 <= item_distance2_choice_2;
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
@@ -8493,6 +8497,7 @@ module search_traversal (
     reg [14:0] s_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg f_is_child, s_at_leaf;
     reg [31:0] s_coordinate, s_split;
+    reg [1:0] s_dimension;
     wire [34:0] even_node, odd_node;
     reg [31:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
@@ -8505,10 +8510,11 @@ module search_traversal (
     wire [18:0] resume_queue_out_data;
     wire leaf_queue_in_ready;
     wire [17:0] leaf_queue_out_data;
-    wire path_in_ready, path_out_valid, path_out_is_leaf, less_y;
+    wire path_in_ready, path_out_valid, path_out_is_leaf, less_x_even_y, less_y_even_y, less_z_even_y;
+    wire less_x_odd_y, less_y_odd_y, less_z_odd_y;
 
-    wire writes_odd_both = tree_valid & ~tree_is_leaf;
-    wire writes_even = writes_odd_both & ~tree_address[0];
+    wire writes_even_both = tree_valid & ~tree_is_leaf;
+    wire writes_even = writes_even_both & ~tree_address[0];
     wire [34:0] even_nodes_data_bits = {tree_split, tree_dimension, tree_internal_leaf};
     wire at_leaf = v_node[14] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
@@ -8519,7 +8525,7 @@ module search_traversal (
     wire [14:0] descend_queue_out_node = descend_queue_out_data[14:0];
     wire [14:0] next_node_choice = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
     wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : next_node_choice;
-    wire writes_odd = writes_odd_both & tree_address[0];
+    wire writes_odd = writes_even_both & tree_address[0];
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
@@ -8527,12 +8533,14 @@ module search_traversal (
     wire [14:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[14:11] == 4'd0) ? (leaf_queue_in_data_choice << 4) : leaf_queue_in_data_choice;
     wire [14:0] leaf_queue_in_data_choice_3 = (leaf_queue_in_data_choice_2[14:13] == 2'd0) ? (leaf_queue_in_data_choice_2 << 2) : leaf_queue_in_data_choice_2;
     wire [14:0] leaf_queue_in_data_choice_4 = ~leaf_queue_in_data_choice_3[14] ? (leaf_queue_in_data_choice_3 << 1) : leaf_queue_in_data_choice_3;
-    wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
-    wire [31:0] s_split_choice = v_node[0] ? v_odd_split : v_even_split;
+    wire left_choice = s_dimension[1] ? less_z_odd_y : s_dimension[0] ? less_y_odd_y : less_x_odd_y;
+    wire left_choice_2 = s_dimension[1] ? less_z_even_y : s_dimension[0] ? less_y_even_y : less_x_even_y;
+    wire left = s_node[0] ? left_choice : left_choice_2;
     wire [3:0] resume_queue_out_thread = resume_queue_out_data[18:15];
     wire [3:0] descend_queue_out_thread = descend_queue_out_data[18:15];
     wire [3:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire v_node_choice = f_is_child ? ~less_y : f_node[0];
+    wire v_node_choice = f_is_child ? ~left : f_node[0];
+    wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
 
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
@@ -8577,14 +8585,34 @@ module search_traversal (
 
     search_path path (
         .clk(clk), .rst(rst), .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf),
-        .in_thread(s_thread), .in_node({s_node[13:0], less_y}), .in_coordinate(s_coordinate),
+        .in_thread(s_thread), .in_node({s_node[13:0], left}), .in_coordinate(s_coordinate),
         .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
         .out_thread(push_thread), .out_node(push_node), .out_distance2(push_distance2)
     );
 
-    float_lt_s1_f32ftz less (
-        .clk(clk), .enable(advance), .a(coordinate), .b(s_split_choice), .y(less_y)
+    float_lt_s1_f32ftz less_x_even (
+        .clk(clk), .enable(advance), .a(query[95:64]), .b(v_even_split), .y(less_x_even_y)
+    );
+
+    float_lt_s1_f32ftz less_y_even (
+        .clk(clk), .enable(advance), .a(query[63:32]), .b(v_even_split), .y(less_y_even_y)
+    );
+
+    float_lt_s1_f32ftz less_z_even (
+        .clk(clk), .enable(advance), .a(query[31:0]), .b(v_even_split), .y(less_z_even_y)
+    );
+
+    float_lt_s1_f32ftz less_x_odd (
+        .clk(clk), .enable(advance), .a(query[95:64]), .b(v_odd_split), .y(less_x_odd_y)
+    );
+
+    float_lt_s1_f32ftz less_y_odd (
+        .clk(clk), .enable(advance), .a(query[63:32]), .b(v_odd_split), .y(less_y_odd_y)
+    );
+
+    float_lt_s1_f32ftz less_z_odd (
+        .clk(clk), .enable(advance), .a(query[31:0]), .b(v_odd_split), .y(less_z_odd_y)
     );
 
     always @(posedge clk) begin
@@ -8613,7 +8641,8 @@ module search_traversal (
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= s_split_choice;
+            s_split <= v_node[0] ? v_odd_split : v_even_split;
+            s_dimension <= v_dimension;
             v_even_split <= even_node[34:3];
             v_odd_split <= odd_node[34:3];
             v_dimension <= v_node_choice ? odd_node[2:1] : even_node[2:1];

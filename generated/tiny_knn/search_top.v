@@ -283,6 +283,7 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [319:0] stored;
     wire [49:0] query;
+    reg [22:0] item_distance2_inverse;
     reg [15:0] item_index;  // The point's place in the point memory.
     reg [22:0] item_distance2;  // Its squared distance.
     reg [3:0] from_leaf;
@@ -374,16 +375,17 @@ module search_queue (
     wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [7:0] nearer_entries_bits = {
-        item_distance2 < stored[302:280], item_distance2 < stored[262:240], item_distance2 < stored[222:200],
-        item_distance2 < stored[182:160], item_distance2 < stored[142:120], item_distance2 < stored[102:80],
-        item_distance2 < stored[62:40], item_distance2 < stored[22:0]
+        ~item_distance2_inverse < stored[302:280], ~item_distance2_inverse < stored[262:240],
+        ~item_distance2_inverse < stored[222:200], ~item_distance2_inverse < stored[182:160],
+        item_distance2 < stored[142:120], item_distance2 < stored[102:80], item_distance2 < stored[62:40],
+        item_distance2 < stored[22:0]
     };
-    wire nearer_entries_in_order = item_distance2 < working[262:240];
+    wire nearer_entries_in_order = ~item_distance2_inverse < working[262:240];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[302:280]);
-    wire nearer_entries_in_order_3 = item_distance2 < working[222:200];
+    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse < working[302:280]);
+    wire nearer_entries_in_order_3 = ~item_distance2_inverse < working[222:200];
     wire nearer_entries_choice_2 = nearer[5] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = item_distance2 < working[182:160];
+    wire nearer_entries_in_order_4 = ~item_distance2_inverse < working[182:160];
     wire nearer_entries_choice_3 = nearer[4] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
     wire nearer_entries_in_order_5 = item_distance2 < working[142:120];
     wire nearer_entries_choice_4 = nearer[3] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
@@ -510,6 +512,7 @@ module search_queue (
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
+        item_distance2_inverse <= ~beat_distance0;
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
@@ -1560,6 +1563,7 @@ module search_traversal (
     reg [6:0] s_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg f_is_child, s_at_leaf;
     reg [23:0] s_coordinate, s_split;
+    reg [1:0] s_dimension;
     wire [26:0] even_node, odd_node;
     reg [23:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
@@ -1572,10 +1576,11 @@ module search_traversal (
     wire [8:0] resume_queue_out_data;
     wire leaf_queue_in_ready;
     wire [7:0] leaf_queue_out_data;
-    wire path_in_ready, path_out_valid, path_out_is_leaf, less_y;
+    wire path_in_ready, path_out_valid, path_out_is_leaf, less_x_even_y, less_y_even_y, less_z_even_y;
+    wire less_x_odd_y, less_y_odd_y, less_z_odd_y;
 
-    wire writes_odd_both = tree_valid & ~tree_is_leaf;
-    wire writes_even = writes_odd_both & ~tree_address[0];
+    wire writes_even_both = tree_valid & ~tree_is_leaf;
+    wire writes_even = writes_even_both & ~tree_address[0];
     wire [26:0] even_nodes_data_bits = {tree_split, tree_dimension, tree_internal_leaf};
     wire at_leaf = v_node[6] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
@@ -1586,19 +1591,21 @@ module search_traversal (
     wire [6:0] descend_queue_out_node = descend_queue_out_data[6:0];
     wire [6:0] next_node_choice = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
     wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : next_node_choice;
-    wire writes_odd = writes_odd_both & tree_address[0];
+    wire writes_odd = writes_even_both & tree_address[0];
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
     wire [6:0] leaf_queue_in_data_choice = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
     wire [6:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[6:5] == 2'd0) ? (leaf_queue_in_data_choice << 2) : leaf_queue_in_data_choice;
     wire [6:0] leaf_queue_in_data_choice_3 = ~leaf_queue_in_data_choice_2[6] ? (leaf_queue_in_data_choice_2 << 1) : leaf_queue_in_data_choice_2;
-    wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
-    wire [23:0] s_split_choice = v_node[0] ? v_odd_split : v_even_split;
+    wire left_choice = s_dimension[1] ? less_z_odd_y : s_dimension[0] ? less_y_odd_y : less_x_odd_y;
+    wire left_choice_2 = s_dimension[1] ? less_z_even_y : s_dimension[0] ? less_y_even_y : less_x_even_y;
+    wire left = s_node[0] ? left_choice : left_choice_2;
     wire [1:0] resume_queue_out_thread = resume_queue_out_data[8:7];
     wire [1:0] descend_queue_out_thread = descend_queue_out_data[8:7];
     wire [1:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire v_node_choice = f_is_child ? ~less_y : f_node[0];
+    wire v_node_choice = f_is_child ? ~left : f_node[0];
+    wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
 
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
@@ -1643,14 +1650,33 @@ module search_traversal (
 
     search_path path (
         .clk(clk), .rst(rst), .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf),
-        .in_thread(s_thread), .in_node({s_node[5:0], less_y}), .in_coordinate(s_coordinate),
-        .in_split(s_split),
+        .in_thread(s_thread), .in_node({s_node[5:0], left}), .in_coordinate(s_coordinate), .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
         .out_thread(push_thread), .out_node(push_node), .out_distance2(push_distance2)
     );
 
-    float_lt_s1_f24ftz less (
-        .clk(clk), .enable(advance), .a(coordinate), .b(s_split_choice), .y(less_y)
+    float_lt_s1_f24ftz less_x_even (
+        .clk(clk), .enable(advance), .a(query[71:48]), .b(v_even_split), .y(less_x_even_y)
+    );
+
+    float_lt_s1_f24ftz less_y_even (
+        .clk(clk), .enable(advance), .a(query[47:24]), .b(v_even_split), .y(less_y_even_y)
+    );
+
+    float_lt_s1_f24ftz less_z_even (
+        .clk(clk), .enable(advance), .a(query[23:0]), .b(v_even_split), .y(less_z_even_y)
+    );
+
+    float_lt_s1_f24ftz less_x_odd (
+        .clk(clk), .enable(advance), .a(query[71:48]), .b(v_odd_split), .y(less_x_odd_y)
+    );
+
+    float_lt_s1_f24ftz less_y_odd (
+        .clk(clk), .enable(advance), .a(query[47:24]), .b(v_odd_split), .y(less_y_odd_y)
+    );
+
+    float_lt_s1_f24ftz less_z_odd (
+        .clk(clk), .enable(advance), .a(query[23:0]), .b(v_odd_split), .y(less_z_odd_y)
     );
 
     always @(posedge clk) begin
@@ -1679,7 +1705,8 @@ module search_traversal (
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= s_split_choice;
+            s_split <= v_node[0] ? v_odd_split : v_even_split;
+            s_dimension <= v_dimension;
             v_even_split <= even_node[26:3];
             v_odd_split <= odd_node[26:3];
             v_dimension <= v_node_choice ? odd_node[2:1] : even_node[2:1];

@@ -24,7 +24,7 @@ use crate::units::wires::{Bundle, Wires};
 use readout::{Readout, Rows, Whose};
 use row::{Entry, entries, initial, insert, placeholders, row, row_bits, sentinels};
 use rtl::{Expr, Module, Reg, Wire, bit};
-use tokens::{Beat, Choice, Insertion, Item, near_lanes};
+use tokens::{Beat, Candidate, Choice, Insertion, Item, near_lanes};
 
 /// Beats that wait.
 const BEATS: u32 = 2;
@@ -169,7 +169,7 @@ impl Stages<'_> {
         fetch: &Fetch,
         farthest: &Farthest,
         start: &Pulse<Start<Wires>>,
-    ) -> (Choice, Expr, Entry<Wires>) {
+    ) -> (Choice, Expr, Candidate) {
         let Self { config, beat, item, working, .. } = self;
         let thread = self.thread();
         let choice = Choice::new(m, config, beat);
@@ -184,7 +184,7 @@ impl Stages<'_> {
         m.next(item.last, done & beat.record.place.last);
         m.next(item.fresh, contains(working.fresh, thread));
         m.next(item.thread, thread);
-        let candidate = choice.entry.register(m, config, "item_", bit(true));
+        let candidate = Candidate::register(m, config, choice.entry);
         let started = decode(start.valid, start.record.thread.thread, config.threads);
         m.next(working.fresh, (working.fresh & !decode(fetch.reads, thread, config.threads)) | started);
         (choice, left, candidate)
@@ -192,13 +192,14 @@ impl Stages<'_> {
 
     /// c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders. Both
     /// rows are compared: to choose one of them first would take as much and come before the comparison.
-    fn compare(&self, m: &mut Module, candidate: Entry<Wires>, fetch: &Fetch, inserted: &Inserted) {
+    fn compare(&self, m: &mut Module, candidate: Candidate, fetch: &Fetch, inserted: &Inserted) {
         let Self { config, working, item, insertion, .. } = self;
-        let is_nearer = |entry: &Entry<Wires>| candidate.neighbor.distance2.lt(entry.neighbor.distance2);
-        let are_nearer = |row: Expr| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>();
+        let are_nearer = |row: Expr| candidate.nearer(&entries(config, row));
         let nearer = are_nearer(*working.row);
-        let nearer_now =
-            insert(&nearer, *insertion.nearer, &is_nearer(&insertion.entry), |here, a, b| here.mux(*a, *b));
+        let [than_inserted] = candidate.nearer(&[*insertion.entry])[..] else {
+            unreachable!("an answer for each entry")
+        };
+        let nearer_now = insert(&nearer, *insertion.nearer, &than_inserted, |here, a, b| here.mux(*a, *b));
         let nearer_stored = fetch.stored.map(|row| set(&are_nearer(row)));
         let read = |initial: Expr, stored: Option<Expr>| match stored {
             Some(stored) => item.fresh.mux(initial, stored),

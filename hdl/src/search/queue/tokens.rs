@@ -70,6 +70,32 @@ impl Choice {
     }
 }
 
+/// What is compared with the entries of a row.
+#[derive(Clone, Copy)]
+pub(super) struct Candidate {
+    pub entry: Entry<Wires>,
+    /// Its distance again, from other registers: a row is wide, and each of its halves has its own.
+    distance2_again: Expr,
+}
+
+impl Candidate {
+    /// In registers, of which some hold the inverse: synthesis does not take those for the others.
+    pub fn register(m: &mut Module, config: &Config, entry: Entry<Wires>) -> Self {
+        let distance2 = entry.neighbor.distance2;
+        let inverse = m.reg("item_distance2_inverse", distance2.width());
+        m.next(inverse, !distance2);
+        Self { entry: entry.register(m, config, "item_", bit(true)), distance2_again: !inverse }
+    }
+
+    /// Whether it is nearer than each of a row's entries.
+    pub fn nearer(&self, row: &[Entry<Wires>]) -> Vec<Expr> {
+        let distances = [self.entry.neighbor.distance2, self.distance2_again];
+        let is_nearer =
+            |(number, entry): (usize, &Entry<Wires>)| distances[2 * number / row.len()].lt(entry.neighbor.distance2);
+        row.iter().enumerate().map(is_nearer).collect()
+    }
+}
+
 /// A candidate, or none of a beat, on its way to its thread's row.
 pub(super) struct Item {
     pub valid: Reg,
@@ -112,9 +138,9 @@ impl Insertion {
     }
 
     /// Takes an item's candidate, which is `nearer` than some entries.
-    pub fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: Entry<Wires>) {
+    pub fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: Candidate) {
         m.next(self.nearer, nearer & item.inserts.repeat(self.nearer.width()));
-        self.entry.next(m, config, candidate);
+        self.entry.next(m, config, candidate.entry);
         m.next(self.last, item.last);
         m.next(self.thread, item.thread);
     }

@@ -9,7 +9,8 @@ mod nodes;
 
 use pointcore_contract::record;
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{Descent, LeafVisit, Path, Push};
+use pointcore_contract::search::config::DIMENSION_BITS;
+use pointcore_contract::search::records::{AXES, Descent, LeafVisit, Path, Push};
 use pointcore_contract::search::units::traversal::PORTS;
 
 use super::parts::coordinates::coordinates;
@@ -20,7 +21,7 @@ use crate::units::passage::Passage;
 use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::Bundle;
-use nodes::{Nodes, Place, Token};
+use nodes::{Fetched, Nodes, Place, Token};
 use rtl::{Expr, Module, bit, cat};
 
 /// What `s` sends through the path datapath.
@@ -70,6 +71,33 @@ fn leaf_number(node: Expr) -> Expr {
     shifted.trunc(depth)
 }
 
+/// On which side of a plane a query is: each coordinate is compared with each split, before it is known which of them count. In one
+/// cycle there is no time to choose and to compare.
+struct Sides(Vec<[Placed; 3]>);
+
+impl Sides {
+    /// For the splits of even and odd nodes, or for one.
+    fn new(m: &mut Module, config: &Config) -> Self {
+        let kinds: &[&str] = if config.tree_cache > 0 { &[""] } else { &["_even", "_odd"] };
+        let module = compare::lt(config.geometry, 1).module;
+        let mut less = |axis, kind| Placed::new(m, &format!("less_{axis}{kind}"), module.clone());
+        Self(kinds.iter().map(|kind| AXES.map(|axis| less(axis, kind))).collect())
+    }
+
+    /// Whether it is on the left, in the cycle after.
+    fn left(&self, m: &mut Module, dimension: Expr, is_odd: Expr) -> Expr {
+        let of_each: Vec<Expr> = self.0.iter().map(|less| dimension.pick(less.map(|less| less.result(m)))).collect();
+        m.wire("left", if let [even, odd] = of_each[..] { is_odd.mux(odd, even) } else { of_each[0] })
+    }
+
+    /// Compares a query's coordinates.
+    fn feed(self, m: &mut Module, enable: Expr, point: [Expr; 3], splits: &[Expr]) {
+        for (less, split) in self.0.into_iter().zip(splits) {
+            less.into_iter().zip(point).for_each(|(less, coordinate)| less.feed(m, enable, [coordinate, *split]));
+        }
+    }
+}
+
 /// What leaves the datapath is always taken: a path not taken, or a leaf that is reached.
 fn show(m: &mut Module, config: &Config, path: &Passage<Step, Passed>) {
     let out = path.out(m, config);
@@ -99,8 +127,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let [f, v, s] = ["f", "v", "s"].map(|stage| Token::new(&mut m, config, stage));
     let [f_is_child, s_at_leaf] = ["f_is_child", "s_at_leaf"].map(|name| m.reg(name, 1));
     let [s_coordinate, s_split] = ["s_coordinate", "s_split"].map(|name| m.reg(name, coordinate_bits));
-    let less = Placed::new(&mut m, "less", compare::lt(config.geometry, 1).module);
-    let left = less.result(&mut m);
+    let s_dimension = m.reg("s_dimension", DIMENSION_BITS);
+    let sides = Sides::new(&mut m, config);
+    let left = sides.left(&mut m, *s_dimension, s.descent.node.bit(0));
 
     let accepts = path.room(&mut m);
     let advance = m.forward("advance", 1);
@@ -111,7 +140,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let wanted = Place { valid: f.valid.expr(), descent: Descent { thread: f.descent.thread, node } };
     let next_node = m.forward("next_node", tree_depth + 1);
     let nodes_room = nodes.room();
-    let (entering, node) = nodes.fetch(&mut m, config, *advance, *next_node, (wanted, &v));
+    let Fetched { entering, node, splits } = nodes.fetch(&mut m, config, *advance, *next_node, (wanted, &v));
     v.take(&mut m, config, *advance, &entering);
     let point = coordinates(&mut m, config, start, *advance, entering.descent.thread.thread);
 
@@ -141,7 +170,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let coordinate = m.wire("coordinate", node.dimension.pick(point));
     m.next_if(s_coordinate, advance, coordinate);
     m.next_if(s_split, advance, node.split);
-    less.feed(&mut m, advance, [coordinate, node.split]);
+    m.next_if(s_dimension, advance, node.dimension);
+    sides.feed(&mut m, *advance, point, &splits);
 
     // s: the far child, or that the leaf is reached, goes through the path datapath.
     let far = cat([s.descent.node.trunc(tree_depth), left]);

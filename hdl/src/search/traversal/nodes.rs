@@ -45,6 +45,16 @@ pub(super) enum Nodes {
     Cache { node: QueueOut<Descent>, record: Flow<NodeRecord<Wires>> },
 }
 
+/// What goes into the stage `v`.
+pub(super) struct Fetched {
+    /// Its place, before.
+    pub entering: Place,
+    /// Its node, once it is there.
+    pub node: Node<Wires>,
+    /// The splits of an even and of an odd node, or that of any: there before it is known which one it is.
+    pub splits: Vec<Expr>,
+}
+
 /// Bits of a pair of siblings' address; a memory has two words at least.
 const fn pair_bits(config: &Config) -> u32 {
     if config.tree_depth > 1 { config.tree_depth - 1 } else { 1 }
@@ -82,8 +92,7 @@ impl Nodes {
         }
     }
 
-    /// On `advance`, `next` goes into `f` without its lowest bit; what is in `f`, which is known by now, goes into `v`: returns
-    /// its place and, as it is in `v`, its node.
+    /// On `advance`, `next` goes into `f` without its lowest bit; what is in `f`, which is known by now, goes into `v`.
     pub fn fetch(
         self,
         m: &mut Module,
@@ -91,7 +100,7 @@ impl Nodes {
         advance: Expr,
         next: Expr,
         (wanted, v): (Place, &Token),
-    ) -> (Place, Node<Wires>) {
+    ) -> Fetched {
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
@@ -99,7 +108,7 @@ impl Nodes {
                     Node::<Wires>::unpack(config, memory.read_if(m, &format!("{name}_node"), advance, address))
                 });
                 // The split is chosen behind registers: in one cycle a block RAM only gets as far as these. The few bits that
-                // choose the coordinate, and so are needed early, are chosen in front of them.
+                // say what becomes of the node, and so are needed early, are chosen in front of them.
                 let [even_split, odd_split] = [("even", even), ("odd", odd)]
                     .map(|(name, node)| held(m, &format!("v_{name}_split"), advance, node.split));
                 let is_odd = wanted.descent.node.bit(0);
@@ -107,13 +116,16 @@ impl Nodes {
                 let is_leaf = is_odd.mux(odd.internal_leaf, even.internal_leaf);
                 let internal_leaf = held(m, "v_internal_leaf", advance, is_leaf);
                 let split = v.descent.node.bit(0).mux(odd_split, even_split);
-                (wanted, Node { split, dimension, internal_leaf })
+                let splits = vec![even_split, odd_split];
+                Fetched { entering: wanted, node: Node { split, dimension, internal_leaf }, splits }
             }
             Self::Cache { node, record } => {
                 node.push(m, config, advance & wanted.valid, wanted.descent);
                 m.drive(record.ready, advance);
                 let NodeRecord { descent, node } = record.record;
-                (Place { valid: record.valid, descent }, node.register(m, config, "v_", advance))
+                let (entering, node) =
+                    (Place { valid: record.valid, descent }, node.register(m, config, "v_", advance));
+                Fetched { entering, node, splits: vec![node.split] }
             }
         }
     }
