@@ -196,9 +196,7 @@ impl Stages<'_> {
         let Self { config, working, item, insertion, .. } = self;
         let are_nearer = |row: Expr| candidate.nearer(&entries(config, row));
         let nearer = are_nearer(*working.row);
-        let [than_inserted] = candidate.nearer(&[*insertion.entry])[..] else {
-            unreachable!("an answer for each entry")
-        };
+        let than_inserted = candidate.entry.neighbor.distance2.lt(insertion.entry.neighbor.distance2);
         let nearer_now = insert(&nearer, *insertion.nearer, &than_inserted, |here, a, b| here.mux(*a, *b));
         let nearer_stored = fetch.stored.map(|row| set(&are_nearer(row)));
         let read = |initial: Expr, stored: Option<Expr>| match stored {
