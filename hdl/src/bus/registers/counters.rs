@@ -8,8 +8,8 @@ use pointcore_contract::splat::config::index_bits;
 use super::REGISTER_BITS;
 use rtl::{Expr, Module, Reg, address_width, lit};
 
-/// Cycles from one visit of the round to the next, over several: of three visits one is to what is asked for, at most, for who
-/// asks takes the answer and an address in between.
+/// Cycles from one visit of the round to the next, on average. A visit takes two. At most one of three is to what is asked for: who
+/// asks takes the answer and gives an address in between.
 const CYCLES_A_VISIT: u32 = 3;
 
 /// What a counter counts.
