@@ -42,7 +42,7 @@ impl Cloud {
         let mut random = self.random(index);
         let types = self.config.program.neighbor.words().into_iter().map(|word| word.ty);
         // Sums of small numbers show what is small in them; not in every cloud, for they hardly take several iterations.
-        let is_varied = self.seed.is_multiple_of(3) && random.bool();
+        let is_varied = self.seed.is_multiple_of(2) && random.bool();
         let mut magnitude = || if is_varied { 2_f64.powi(random.i32(MAGNITUDES)) } else { 1.0 };
         let [position, attributes] = [magnitude(), magnitude()];
         // Where a point is decides whether what it has counts.
