@@ -202,18 +202,22 @@ impl Host {
         }
     }
 
-    /// As many events a cycle as there can be, for so long that counters have many of their bits, or all. Meanwhile the host reads
-    /// a counter over and over, which keeps others from their turn; what it reads grows.
-    fn run_on(&mut self, counted: &[(String, RunCounter, u32)], cycles: u32) {
+    /// As many events and errors a cycle as there can be, for so long that counters have many of their bits, or all. Meanwhile the
+    /// host reads a counter over and over, which keeps others from their turn; what it reads grows.
+    fn run_on(&mut self, counted: &[(String, RunCounter, u32)], errors: &[(String, ErrorCounter, u32)], cycles: u32) {
         for (name, counter, width) in counted {
             let events = (1 << width) - 1;
             self.bench.set(name, events.into());
             self.model.event(*counter, u32::saturating_mul(events, LONG_CYCLES));
         }
+        for (name, error, count) in errors {
+            self.bench.set(name, (1 << count) - 1);
+            (0..count * LONG_CYCLES).for_each(|_| self.model.error(*error));
+        }
         let mut latest = 0;
         for cycle in 0..LONG_CYCLES {
             let reads = cycle < LONG_CYCLES - CYCLES_OF_A_READ as u32;
-            if reads && self.read_address.items.is_empty() {
+            if reads && self.read_address.items.len() < AT_ONCE {
                 self.read_address.items.push_back(vec![cycles.into()]);
             }
             self.step();
@@ -273,7 +277,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     for access in 0..ACCESSES {
         if goes_on && host.model.busy && !has_run_on && access > ACCESSES / 2 {
             (has_run_on, calm) = (true, 0);
-            host.run_on(&counted, cycles);
+            host.run_on(&counted, &errors, cycles);
             host.rest(&counted, &errors);
             to_read = map.iter().map(|register| register.address).collect();
         } else if to_read.is_empty() {
@@ -290,7 +294,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
                 if calm == 3 {
                     return (address, CLEAR_ERRORS, 0xf);
                 }
-                let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
+                let strobes = if host.random.u8(..8) == 0 { 0xf ^ (1 << host.random.u8(..4)) } else { 0xf };
                 (address, value(map, address, &mut host.random), strobes)
             };
             let writes: Vec<_> = addresses.into_iter().map(write).collect();

@@ -19,7 +19,7 @@ struct Threads {
 }
 
 impl Rule for Threads {
-    const SEEDS: u64 = 40;
+    const SEEDS: u64 = 160;
 
     fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
         let threads = if stream == "in" { &mut self.entered } else { &mut self.left };
@@ -29,6 +29,8 @@ impl Rule for Threads {
 
 /// What the library's programs say is below this is finite, of a square, too.
 const LARGEST: f64 = 1e38;
+/// And how many powers of two below its root.
+const BELOW: i32 = 6;
 
 /// Words of a record; those of a float's width have magnitudes that programs can do something with, all of them in most records: a single
 /// one that is out of all proportion hides the others in a sum. Now and then one has a single bit, or none, or is infinite.
@@ -51,11 +53,13 @@ fn any_words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand:
     fields::<R>(config).into_iter().map(|field| word(field.width)).collect()
 }
 
-/// Words of a record of which most are zero, and some of the first partial sums one, or a hair from what is just finite, or from its root.
+/// Words of a record of which most are zero, and some of the first partial sums one, or a hair from what is just finite, or from its root,
+/// or a power of two below that: a square that is wrong by as much is then not finite.
 fn few_words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
     let format = config.format;
     let mut word = |name: &str, width: u32| {
-        let value = [0.0, 1.0, LARGEST, LARGEST.sqrt()][random.usize(..4)];
+        let root = LARGEST.sqrt() * 0.5_f64.powi(random.i32(0..BELOW));
+        let value = [0.0, 1.0, LARGEST, root][random.usize(..4)];
         let is_first = !name.starts_with("sum_") || name.ends_with("_0");
         if width != format.width() || !is_first || random.bool() {
             return 0;
