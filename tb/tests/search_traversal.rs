@@ -8,7 +8,7 @@ use pointcore_hdl::search::traversal;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, configs, lockstep, start};
+use crate::search::{all, configs, lockstep, number, start};
 use crate::support::cases;
 
 const DESCENTS: u64 = 400;
@@ -33,9 +33,22 @@ impl Threads {
     fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.starts_left > 0 {
             self.starts_left -= 1;
-            let start = start(&self.config, thread, self.starts_left, &mut feeds.random);
+            let mut start = start(&self.config, thread, self.starts_left, &mut feeds.random);
+            let coordinates = start.len() - 3;
+            for coordinate in &mut start[coordinates..] {
+                let close = self.close(&mut feeds.random);
+                if number(&self.config, close).is_normal() && feeds.random.bool() {
+                    *coordinate = close;
+                }
+            }
             feeds.feed("start", start);
         }
+    }
+
+    /// A coordinate that differs from a node's plane in one bit.
+    fn close(&self, random: &mut fastrand::Rng) -> u64 {
+        let planes: Vec<u64> = self.tree.writes.iter().filter(|write| write[0] == 0).map(|write| write[2]).collect();
+        planes[random.usize(..planes.len())] ^ 1 << random.u32(..self.config.geometry.width())
     }
 }
 
