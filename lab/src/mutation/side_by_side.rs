@@ -1,6 +1,7 @@
 //! A module beside another version of itself, as a prover compares them: the rules of lockstep in Verilog.
 
 use super::modules::Instance;
+use pointcore_contract::{Format, Subnormals};
 use pointcore_tb::verilated::{Direction, ModuleInterface, Port, RESET, StreamDeclaration};
 use rtl::address_width;
 use std::collections::BTreeSet;
@@ -40,6 +41,8 @@ pub struct Operator {
     pub operands: Vec<String>,
     pub result: String,
     stages: usize,
+    /// What it answers in, if that is floating point.
+    format: Option<Format>,
 }
 
 impl Operator {
@@ -51,8 +54,11 @@ impl Operator {
         let is_operand = |port: &&Port| port.direction == Direction::Input && !["clk", ENABLE].contains(&&*port.name);
         let operands = ports.iter().filter(is_operand).map(|port| port.name.clone()).collect();
         let has = |name: &str| ports.iter().any(|port| port.name == name);
-        let is_operator = OPERATORS.iter().any(|prefix| name.starts_with(prefix)) && has(ENABLE) && has(RESULT);
-        is_operator.then(|| Self { enable: ENABLE.into(), operands, result: RESULT.into(), stages })
+        let is_operator = OPERATORS.iter().any(|prefix| name.starts_with(prefix)) && has(ENABLE);
+        let result = ports.iter().find(|port| port.name == RESULT)?;
+        let mut formats = name.split('_').filter_map(|word| word.replace("ftz", "-ftz").parse().ok());
+        let format = formats.rfind(|format: &Format| format.width() == result.width);
+        is_operator.then(|| Self { enable: ENABLE.into(), operands, result: RESULT.into(), stages, format })
     }
 
     /// What else it may answer where it was given something else.
@@ -73,10 +79,27 @@ impl Operator {
         )
     }
 
-    /// What the second version is answered.
-    fn answer(&self) -> String {
-        let [result, other, strayed] = [&self.result, &self.other(), &self.strayed()].map(|name| escaped(name));
-        format!("({strayed}[{}] ? {other} : {result})", self.stages - 1)
+    /// What is answered, and what else may be, as numbers of its format are written: there is one NaN, and what is flushed is zero.
+    fn written(&self) -> [String; 2] {
+        [&self.result, &self.other()].map(|name| {
+            let raw = escaped(name);
+            let Some(format) = self.format else { return raw };
+            let (sign, top) = (format.width() - 1, format.mantissa);
+            let [exponent, mantissa] = [format!("{raw}[{}:{top}]", sign - 1), format!("{raw}[{}:0]", top - 1)];
+            let flushed = match format.subnormals {
+                Subnormals::Keep => raw.clone(),
+                Subnormals::Flush => format!("|{exponent} ? {raw} : {{{raw}[{sign}], {sign}'d0}}"),
+            };
+            format!("(&{exponent} && |{mantissa} ? {}'d{} : {flushed})", format.width(), format.quiet_nan())
+        })
+    }
+
+    /// What each version is answered.
+    fn answers(&self) -> [String; 2] {
+        let [result, other] = self.written();
+        let strayed = escaped(&self.strayed());
+        let second = format!("({strayed}[{}] ? {other} : {result})", self.stages - 1);
+        [result, second]
     }
 }
 
@@ -173,6 +196,7 @@ impl Border {
             operands: operator.operands.iter().map(outer).collect(),
             result: outer(&operator.result),
             stages: operator.stages,
+            format: operator.format,
         }));
     }
 
@@ -259,8 +283,8 @@ impl Border {
         self.operators.iter().for_each(|operator| text += &strays(operator));
         for version in VERSIONS {
             let given = |name: &str| match self.operator(name) {
-                Some(operator) if version == gate => operator.answer(),
-                _ => escaped(name),
+                Some(operator) => operator.answers()[usize::from(version == gate)].clone(),
+                None => escaped(name),
             };
             let inputs = of(Direction::Input).map(|Port { name, .. }| format!(".{}({})", escaped(name), given(name)));
             let outputs =
@@ -410,8 +434,10 @@ mod tests {
             else if (\\gold_sum.enable ) \\sum.y.strayed  <= {\\sum.y.strayed [3:0], \
             \\gold_sum.a  != \\gate_sum.a  || \\gold_sum.b  != \\gate_sum.b };";
         assert!(text.contains(strayed), "{text}");
-        assert!(text.contains(".\\sum.y (\\sum.y ), .in_ready(gold_in_ready)"), "{text}");
-        assert!(text.contains(".\\sum.y ((\\sum.y.strayed [3] ? \\sum.y.other  : \\sum.y )), "), "{text}");
+        let written = |name: &str| format!("(&{name}[22:15] && |{name}[14:0] ? 24'd8372224 : {name})");
+        let [result, other] = ["\\sum.y ", "\\sum.y.other "].map(written);
+        assert!(text.contains(&format!(".\\sum.y ({result}), .in_ready(gold_in_ready)")), "{text}");
+        assert!(text.contains(&format!(".\\sum.y ((\\sum.y.strayed [3] ? {other} : {result})), ")), "{text}");
         assert!(text.contains("input wire [23:0] \\sum.y.other , "), "{text}");
         assert!(!text.contains("\\gold_sum.a  != \\gate_sum.a ),"), "{text}");
     }

@@ -7,9 +7,11 @@
 //! it that no neighbor gives.
 
 mod exhausted;
+mod followed;
 mod one_reset;
 mod planted;
 mod search;
+mod symbols;
 mod versions;
 mod way;
 
@@ -99,6 +101,12 @@ fn is_hard(instance: &Instance<'_>) -> bool {
     instance.of.starts_with(OPERATORS) || instance.memory_size().is_some_and(is_large_memory)
 }
 
+/// What stays out but conversions and comparisons.
+fn but_comparisons<'a>(open: &BTreeSet<&'a str>) -> BTreeSet<&'a str> {
+    let compares = |inner: &str| COMPARISONS.iter().any(|prefix| inner.starts_with(prefix));
+    open.iter().copied().filter(|inner| !compares(inner)).collect()
+}
+
 /// What the text calls a module: of one with parameters, yosys' name ends with it.
 fn plain(module: &str) -> &str {
     module.rsplit('\\').next().unwrap_or(module)
@@ -131,7 +139,7 @@ impl Prover<'_> {
         let exhausted = if is_mutated { self.exhaust(name)? } else { None };
         let mut proof = exhausted.unwrap_or(Proof::Open);
         if proof == Proof::Open && (is_mutated || is_small) {
-            if self.is_hidden_near(module, &open, Operators::Strict)? {
+            if self.is_hidden_near(module, &open, Operators::Strict)? || self.is_followed(module, &open)? {
                 return Ok(Proof::Equivalent);
             }
             if is_small {
@@ -231,8 +239,7 @@ impl Prover<'_> {
 
     /// The same with conversions and comparisons as they are, if any were to stay out.
     fn is_hidden_by_comparisons(&self, module: &str, open: &BTreeSet<&str>) -> Result<bool, MutationError> {
-        let compares = |inner: &&str| COMPARISONS.iter().any(|prefix| inner.starts_with(prefix));
-        let without: BTreeSet<&str> = open.iter().copied().filter(|inner| !compares(inner)).collect();
+        let without = but_comparisons(open);
         for operators in [Operators::Strict, Operators::Tolerant] {
             if without != *open && self.is_hidden_within(module, &without, operators, NEAR_WITH_COMPARISONS)? {
                 return Ok(true);
@@ -264,6 +271,17 @@ impl Prover<'_> {
             }
         }
         Ok(false)
+    }
+
+    /// Whether the border of a module that has a reset shows no difference from there on, with conversions and comparisons as they
+    /// are.
+    fn is_followed(&self, module: &str, open: &BTreeSet<&str>) -> Result<bool, MutationError> {
+        if self.cell.is_none() || !one_reset::has_reset(&self.subject.verilog, plain(module)) {
+            return Ok(false);
+        }
+        let open = but_comparisons(open);
+        let border = self.border(plain(module), &open).as_ref().map(Border::after_reset);
+        Ok(self.compare_as(module, &open, Way::Followed(border.as_ref()))? == Proof::Equivalent)
     }
 }
 

@@ -1,12 +1,16 @@
 //! ABC's search for an invariant under which two versions never differ, or for inputs that show a difference.
 
-use super::Proof;
 use super::way::Way;
+use super::{Proof, followed};
 use crate::mutation::MutationError;
 use crate::mutation::process::{self, Verdict};
+use pointcore_tb::cache::file;
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
+
+/// Both versions, with an output that says whether they differ.
+pub(super) const MITER: &str = "miter.aig";
 
 /// The ABC that comes with Debian's yosys.
 const ABC: &str = "yosys-abc";
@@ -31,7 +35,7 @@ pub(super) fn search(folder: &Path, way: Way<'_>, has_one_reset: bool, seconds: 
     let reset = if has_one_reset { "strash; cycle -F 1; " } else { "" };
     let ask = |question: &str, limit: u32| {
         let mut command = Command::new(ABC);
-        command.args(["-c", &format!("read_aiger miter.aig; {reset}fold; strash; {question}")]).current_dir(folder);
+        command.args(["-c", &format!("read_aiger {MITER}; {reset}fold; strash; {question}")]).current_dir(folder);
         process::run(command, Duration::from_secs(limit.into()), is_answer)
     };
     // Most differences show soon. Otherwise registers that hold the same in both are merged, by a look at them alone at first, which
@@ -47,6 +51,11 @@ pub(super) fn search(folder: &Path, way: Way<'_>, has_one_reset: bool, seconds: 
         Way::InTurns(_) => (IN_TURNS, seconds, 4 * seconds),
         // Registers that are not near follow from one look, but there are many; what one holds for some cycles, from some looks.
         Way::Around(_) => (IN_TURNS, 4 * seconds, 8 * seconds),
+        Way::Followed(_) => {
+            let miter = folder.join(MITER);
+            let limit = Duration::from_secs((8 * seconds).into());
+            return Ok(followed::follow(&miter, limit).map_err(file("read", &miter))?);
+        }
     };
     Ok(match ask(&format!("{sweep}; pdr -T {search}"), patience)? {
         Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,

@@ -407,3 +407,31 @@ fn an_operator_of_one_operand_is_compared_on_all_of_them() {
     assert_eq!([exhausted("never"), exhausted("odd")], [Some(Proof::Equivalent), Some(Proof::Different)]);
     assert_eq!(exhausted("holds"), None, "it does not hold what it has, and may answer anything");
 }
+
+#[test]
+fn what_is_followed_from_the_reset_on_is_known_when_it_is_looked_at() {
+    let Some(yosys) = yosys() else { return };
+    // A buffer of four places and its register delay by five turns of three cycles; `kept` is looked at two cycles after it was loaded.
+    let text = "module top (input clk, input rst, input [3:0] x, output reg [3:0] z, output reg [3:0] delayed);\n\
+        reg [1:0] phase, delay_5_from_0_pointer;\nreg [3:0] kept;\nreg [3:0] delay_5_from_0 [0:3];\n\
+        always @(posedge clk) if (rst) begin phase <= 0; delay_5_from_0_pointer <= 0; end else begin\n\
+        phase <= (phase == 2'd2) ? 2'd0 : phase + 2'd1;\n\
+        if (phase == 2'd0) delay_5_from_0_pointer <= delay_5_from_0_pointer - 2'd1;\nend\n\
+        always @(posedge clk) if (phase == 2'd0) begin kept <= x;\n\
+        delay_5_from_0[delay_5_from_0_pointer] <= x;\ndelayed <= delay_5_from_0[delay_5_from_0_pointer];\nend\n\
+        always @(posedge clk) if (phase == 2'd2) z <= kept;\nendmodule\n";
+    let ports = [("clk", 1, In), ("rst", 1, In), ("x", 4, In), ("z", 4, Out), ("delayed", 4, Out)];
+    let subject = &Subject { interfaces: vec![interface("top", &ports, Vec::new())], ..subject(text, "", None, "top") };
+    let is_followed = |words: &[&str]| {
+        let mutation = &listed(&yosys, subject, "top", words);
+        let followed = prover(&yosys, subject, "top", mutation).is_followed("top", &BTreeSet::new());
+        followed.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let of_register = ["-cell $procdff", "-port Q", "-wire kept ", "-wirebit 0 "];
+    let inverted = |mode| is_followed(&[of_register.as_slice(), &[mode]].concat());
+    // In all cycles, or where another bit is set: twice until it is looked at.
+    assert_eq!(["-mode inv", "-mode cnot1", "-mode const0"].map(inverted), [true, true, false]);
+    // Its pointer may go the other way round.
+    let subtracted = |mode, bit| is_followed(&[mode, "-cell $sub", "-port B", bit]);
+    assert!(subtracted("-mode const1", "-portbit 1 ") && !subtracted("-mode const0", "-portbit 0 "));
+}

@@ -2,7 +2,7 @@
 
 use super::planted::FAULT;
 use super::way::{self, Marks, Way};
-use super::{Proof, Prover, one_reset, plain, search};
+use super::{Proof, Prover, followed, one_reset, plain, search};
 use crate::mutation::MutationError;
 use crate::mutation::schemata::NETLIST;
 use crate::mutation::side_by_side::{self, Border};
@@ -52,6 +52,7 @@ impl Prover<'_> {
         folder.write("source.v", &texts[0])?;
         folder.write("assuming.v", &texts[1])?;
         folder.write("first_cycle.v", one_reset::FIRST_CYCLE)?;
+        folder.write("delays.v", followed::DELAYS)?;
         folder.write("library.v", &self.subject.others)?;
         folder.write("versions.ys", &self.versions(module, open, way))?;
         if !self.prepare(&folder, "versions.ys", way) {
@@ -72,7 +73,8 @@ impl Prover<'_> {
             &format!(
                 "read_rtlil versions.il\n{miter}chformal -lower\nhierarchy -top miter\nopt_clean\nmemory_map\nopt_clean\n\
                  techmap\nopt_clean\ndffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
-                 zinit -all\naigmap\nopt_clean\nwrite_aiger -zinit miter.aig\n"
+                 zinit -all\naigmap\nopt_clean\nwrite_aiger -symbols -zinit {}\n",
+                search::MITER
             ),
         )?;
         if !self.prepare(&folder, "miter.ys", way) {
@@ -95,8 +97,8 @@ impl Prover<'_> {
         let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
         let read =
             format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
-        let memory = way.memory();
         let flat = |name: &str, found: &str, before: &str, after: &str| {
+            let memory = way.memory(!found.is_empty());
             format!(
                 "{read}{found}{memory}\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
                  setundef -undriven -zero\nsetundef -zero\ndesign -stash {name}\n"
@@ -140,7 +142,7 @@ impl Prover<'_> {
         has_one_reset: bool,
     ) -> Result<Option<Border>, MutationError> {
         let around = match way {
-            Way::At(border) | Way::InTurns(border) => return Ok(border.cloned()),
+            Way::At(border) | Way::InTurns(border) | Way::Followed(border) => return Ok(border.cloned()),
             Way::Around(around) => around,
         };
         let known = self.border(plain(module), open).unwrap_or_default().with_ports(&folder.read("ports")?);

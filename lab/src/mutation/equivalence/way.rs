@@ -16,6 +16,9 @@ pub(super) enum Way<'a> {
     /// equal in both, and what they take next is compared, with one reset and in turns, too. That is small in a module of
     /// any size. It shows that what holds is as it was when it is looked at.
     Around(Around<'a>),
+    /// At its border, with one reset, too, but followed from there on instead of searched for what is always so: in a module of any
+    /// size. Circular buffers that delay are shift registers then, which have no pointers to follow.
+    Followed(Option<&'a Border>),
 }
 
 impl Way<'_> {
@@ -24,11 +27,16 @@ impl Way<'_> {
         !matches!(self, Self::At(_))
     }
 
-    /// What yosys makes of memories: registers, or what they are until it is known which of them are near.
-    pub const fn memory(self) -> &'static str {
+    /// What yosys makes of memories: registers, or what they are until it is known which of them are near. Circular buffers become
+    /// shift registers, but for those whose pointer sees the fault: which they are is known of the mutant, which comes first.
+    pub fn memory(self, is_mutant: bool) -> String {
         match self {
-            Self::At(_) | Self::InTurns(_) => "memory",
-            Self::Around(_) => "memory -nordff -nomap",
+            Self::At(_) | Self::InTurns(_) => "memory".to_owned(),
+            Self::Around(_) => "memory -nordff -nomap".to_owned(),
+            Self::Followed(_) => {
+                let told = if is_mutant { BUFFERS_OF_THE_FAULT } else { "" };
+                format!("memory -nordff -nomap\n{told}{BUFFERS}")
+            }
         }
     }
 }
@@ -77,6 +85,14 @@ const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
 
 /// Registers that have a reset tell the time: phases, pointers, counts.
 const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n";
+
+/// Writes down the memories whose place is told by what sees the fault.
+const BUFFERS_OF_THE_FAULT: &str = "select -write kept */c:*planted_fault_* %co*:-$dff,-$mem_v2 %co2:+$dff[D,Q] \
+    %co:+$mem_v2[RD_ADDR] */t:$mem_v2 %i\n";
+
+/// Makes shift registers of circular buffers, but for those.
+const BUFFERS: &str = "select -set kept -read kept\n\
+    techmap -autoproc -map delays.v */t:$mem_v2 */c:*delay_*_from_* %i @kept %d";
 
 /// Has both versions show their registers but for these and those that are marked as near.
 const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";

@@ -1,0 +1,170 @@
+//! What bits hold, as symbols and gates of them: two that hold the same are found to do so.
+
+use batsat::{BasicSolver, Lit, SolverInterface, Var, lbool};
+use rustc_hash::FxHashMap;
+use std::cell::Cell;
+
+/// A symbol or gate, with the lowest bit set its opposite.
+pub type Literal = u32;
+
+pub const FALSE: Literal = 0;
+const TRUE: Literal = 1;
+
+/// Decisions that it may take to find out whether two are the same: where they are not, their examples mostly tell.
+const DECISIONS: u32 = 100_000;
+
+/// One if both operands are, or if one of them is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Gate {
+    And([Literal; 2]),
+    Xor([Literal; 2]),
+}
+
+/// Symbols and gates; a gate's operands come before it.
+pub struct Symbols {
+    all: Vec<Option<Gate>>,
+    /// What they are in 64 examples.
+    examples: Vec<u64>,
+    gates: FxHashMap<Gate, Literal>,
+    random: fastrand::Rng,
+}
+
+impl Symbols {
+    pub fn new() -> Self {
+        Self { all: vec![None], examples: vec![0], gates: FxHashMap::default(), random: fastrand::Rng::with_seed(0) }
+    }
+
+    /// One of which nothing is known.
+    pub fn fresh(&mut self) -> Literal {
+        let example = self.random.u64(..);
+        self.push(None, example)
+    }
+
+    fn push(&mut self, gate: Option<Gate>, example: u64) -> Literal {
+        self.all.push(gate);
+        self.examples.push(example);
+        2 * (self.all.len() - 1) as Literal
+    }
+
+    fn example(&self, literal: Literal) -> u64 {
+        self.examples[literal as usize / 2] ^ 0_u64.wrapping_sub(u64::from(literal & 1))
+    }
+
+    fn gate(&mut self, gate: Gate) -> Literal {
+        if let Some(&known) = self.gates.get(&gate) {
+            return known;
+        }
+        let example = match gate {
+            Gate::And([a, b]) => self.example(a) & self.example(b),
+            Gate::Xor([a, b]) => self.example(a) ^ self.example(b),
+        };
+        let new = self.push(Some(gate), example);
+        self.gates.insert(gate, new);
+        new
+    }
+
+    fn xor(&mut self, a: Literal, b: Literal) -> Literal {
+        let sign = (a ^ b) & 1;
+        let [a, b] = [a & !1, b & !1];
+        if a == b || a == FALSE || b == FALSE {
+            return if a == b { sign } else { (a | b) ^ sign };
+        }
+        for [a, b] in [[a, b], [b, a]] {
+            if let Some(Gate::Xor(operands)) = self.all[b as usize / 2]
+                && let Some(place) = operands.iter().position(|&operand| operand == a)
+            {
+                return operands[1 - place] ^ sign;
+            }
+        }
+        self.gate(Gate::Xor([a.min(b), a.max(b)])) ^ sign
+    }
+
+    /// The operands, if it or its opposite is a conjunction.
+    fn conjunction(&self, literal: Literal) -> Option<[Literal; 2]> {
+        match self.all[literal as usize / 2] {
+            Some(Gate::And(operands)) => Some(operands),
+            _ => None,
+        }
+    }
+
+    pub fn and(&mut self, a: Literal, b: Literal) -> Literal {
+        let [a, b] = [a.min(b), a.max(b)];
+        match (a, b) {
+            (FALSE, _) => return FALSE,
+            (TRUE, _) => return b,
+            _ if a == b => return a,
+            _ if a == b ^ 1 => return FALSE,
+            _ => (),
+        }
+        for [a, b] in [[a, b], [b, a]] {
+            let Some(operands) = self.conjunction(b) else { continue };
+            let has = |operand| operands.contains(&operand);
+            match b & 1 {
+                0 if has(a) => return b,
+                0 if has(a ^ 1) => return FALSE,
+                1 if has(a ^ 1) => return a,
+                1 if has(a) => {
+                    let other = operands[usize::from(operands[0] == a)];
+                    return self.and(a, other ^ 1);
+                }
+                _ => (),
+            }
+        }
+        // Neither of two conjunctions whose operands exclude each other: a choice between one and the same, or its opposite.
+        if let (1, Some([p, q]), Some([r, s])) = (a & b & 1, self.conjunction(a), self.conjunction(b)) {
+            for [p, q, r, s] in [[p, q, r, s], [p, q, s, r], [q, p, r, s], [q, p, s, r]] {
+                if p == r ^ 1 && q == s {
+                    return q ^ 1;
+                }
+                if p == r ^ 1 && q == s ^ 1 {
+                    return self.xor(p, q);
+                }
+            }
+        }
+        self.gate(Gate::And([a, b]))
+    }
+
+    /// Whether both are the same, whatever symbols are. In doubt they are not.
+    pub fn are_same(&self, a: Literal, b: Literal) -> bool {
+        a == b || (self.example(a) == self.example(b) && self.is_shown_same(a, b))
+    }
+
+    fn is_shown_same(&self, a: Literal, b: Literal) -> bool {
+        let mut solver = BasicSolver::default();
+        let left = Cell::new(DECISIONS);
+        solver.cb_mut().set_stop(move || {
+            left.set(left.get().saturating_sub(1));
+            left.get() == 0
+        });
+        let mut variables: FxHashMap<u32, Var> = FxHashMap::default();
+        let mut open = vec![a / 2, b / 2];
+        while let Some(symbol) = open.pop() {
+            if variables.contains_key(&symbol) {
+                continue;
+            }
+            variables.insert(symbol, solver.new_var_default());
+            if let Some(Gate::And(operands) | Gate::Xor(operands)) = self.all[symbol as usize] {
+                open.extend(operands.map(|operand| operand / 2));
+            }
+        }
+        let of = |literal: Literal| Lit::new(variables[&(literal / 2)], literal & 1 == 0);
+        let mut clauses = vec![vec![of(a), of(b)], vec![!of(a), !of(b)]];
+        for &symbol in variables.keys() {
+            let y = of(2 * symbol);
+            match self.all[symbol as usize] {
+                None if symbol == FALSE => clauses.push(vec![!y]),
+                None => {}
+                Some(Gate::And(operands)) => {
+                    let [p, q] = operands.map(of);
+                    clauses.extend([vec![!y, p], vec![!y, q], vec![y, !p, !q]]);
+                }
+                Some(Gate::Xor(operands)) => {
+                    let [p, q] = operands.map(of);
+                    clauses.extend([vec![!y, p, q], vec![!y, !p, !q], vec![y, !p, q], vec![y, p, !q]]);
+                }
+            }
+        }
+        let is_consistent = clauses.iter_mut().all(|clause| solver.add_clause_reuse(clause));
+        !is_consistent || solver.solve_limited(&[]) == lbool::FALSE
+    }
+}
