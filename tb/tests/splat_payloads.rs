@@ -154,13 +154,18 @@ impl Stimulus for Shuffled {
     }
 }
 
-/// Splats of noise with a few copies, some with one for each tile; here and there the end of a frame, once two of them.
+/// Splats of noise with a few copies, some with more, some with one for each tile; here and there the end of a frame, once two of them.
 fn copies(config: &Config) -> Vec<SplatCopy> {
     let mut random = scene::random();
     let mut copies = Vec::new();
     for splat in 0..SPLATS {
         let payload: SplatCopy = scene::noise(config, &mut random);
-        let count = if splat % 64 == 7 { 1 << config.tile_bits() } else { random.u32(1..5) };
+        let tiles = 1 << config.tile_bits();
+        let count = match splat % 64 {
+            7 => tiles,
+            23 | 55 => random.u32(1..=tiles),
+            _ => random.u32(1..5),
+        };
         for number in 0..count {
             let SplatCopy { bounds, diagonals, tile, .. } = scene::noise(config, &mut random);
             copies.push(SplatCopy { end: false, first: number == 0, bounds, diagonals, tile, ..payload });

@@ -23,6 +23,8 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         hard::cross_the_eye(&config, &mut splats, 4, &mut random);
         hard::border(&config, &mut splats, 3, &mut random);
         hard::strew(&config, &mut splats, 8, &mut random);
+        hard::tie(&config, &mut splats, 8, &mut random);
+        hard::pass_by(&config, &mut splats, 16, &mut random);
         hard::flatten(&mut splats, 16, &mut random);
         hard::scale(&config, &mut splats, 4, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);

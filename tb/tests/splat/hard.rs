@@ -11,6 +11,9 @@ use super::scene::registers;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
 
+/// Places of a center within a pixel, in a row or column.
+const PLACES: i32 = 256;
+
 /// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
 pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     for Splat { center, tangents, attributes, .. } in splats {
@@ -146,6 +149,47 @@ pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut R
             place += (limit - bound) * depth / scale;
         }
         center[axis] = encode(config.geometry, place as f32);
+    }
+}
+
+/// Has one splat in camera space in `one_in` be a needle along a diagonal that passes the image, any number of pixels away, while its
+/// box covers it.
+pub fn pass_by(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let Viewport { scale, origin, .. } = registers(config).viewport;
+    let number = |bits| decode(config.geometry, bits);
+    for Splat { center, tangents, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let [side, slope] = [(); 2].map(|()| if random.bool() { 1.0 } else { -1.0 });
+        let [along, across] = [[1.0, slope], [side, -side * slope]];
+        let apart = 2_f32.powi(random.i32(4..14)) + (config.width + config.height) as f32 * random.f32();
+        let depth = 2_f32.powi(random.i32(1..4));
+        let per_pixel: [f32; 2] = std::array::from_fn(|axis| depth / number(scale[axis]));
+        let middle = [config.width, config.height].map(|pixels| pixels as f32 / 2.0);
+        let at = |axis: usize| (middle[axis] + 0.5 * apart * across[axis] - number(origin[axis])) * per_pixel[axis];
+        let reach = |axis: usize, pixels: f32| pixels * along[axis] * per_pixel[axis];
+        let encoded = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
+        *center = encoded([at(0), at(1), depth]);
+        *tangents = [apart, 0.01].map(|pixels| encoded([reach(0, pixels), reach(1, pixels), 0.0]));
+    }
+}
+
+/// Moves the center of one splat in camera space in `one_in` to where one of its coordinates in the image is rounded to another place, a
+/// hair away.
+pub fn tie(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let Viewport { scale, origin, .. } = registers(config).viewport;
+    let number = |bits| decode(config.geometry, bits);
+    for Splat { center, end, .. } in splats {
+        if *end || random.u32(0..one_in) != 0 {
+            continue;
+        }
+        let axis = random.usize(0..2);
+        let places = (1 << random.u32(1..6)) * PLACES;
+        let hair = (2.0 * random.f32() - 1.0) * 2_f32.powi(-random.i32(9..20));
+        let place = (random.i32(-places..places) as f32 + 0.5) / PLACES as f32 + hair;
+        let moved = (place - number(origin[axis])) * number(center[2]) / number(scale[axis]);
+        center[axis] = encode(config.geometry, moved);
     }
 }
 
