@@ -41,8 +41,8 @@ impl Miter {
         Ok(Self { aig, pairs })
     }
 
-    /// What registers hold after a cycle, and whether both versions differ in it.
-    fn step(&self, symbols: &mut Symbols, state: &[Literal]) -> (Vec<Literal>, bool) {
+    /// What registers hold after a cycle, and what says whether both versions differ in it.
+    fn step(&self, symbols: &mut Symbols, state: &[Literal]) -> (Vec<Literal>, Literal) {
         let Self { aig, .. } = self;
         let mut literals = vec![FALSE];
         literals.extend((0..aig.input_count).map(|_| symbols.fresh()));
@@ -53,8 +53,7 @@ impl Miter {
             literals.push(symbols.and(a, b));
         }
         let next = aig.latches.iter().map(|latch| of(&literals, latch.next_state)).collect();
-        let differ = aig.outputs.iter().any(|&output| !symbols.are_same(of(&literals, output), FALSE));
-        (next, differ)
+        (next, of(&literals, aig.outputs[0]))
     }
 
     /// The same registers, with a symbol for each that is not a constant: one for those that hold the same.
@@ -82,8 +81,8 @@ impl Miter {
         for cycle in 0_u64.. {
             let (next, differ) = self.step(&mut symbols, &state);
             state = next;
-            // The first cycle is the reset.
-            if differ && cycle > 0 {
+            // The first cycle is the reset. Once they differ, that may be hard to tell, and need not be.
+            if cycle > 0 && proof == Proof::Equivalent && !symbols.are_same(differ, FALSE) {
                 proof = Proof::Open;
             }
             if (turn > 1 && proof == Proof::Open) || Instant::now() > end {

@@ -15,6 +15,9 @@ pub(super) const MITER: &str = "miter.aig";
 /// The ABC that comes with Debian's yosys.
 const ABC: &str = "yosys-abc";
 
+/// What is followed comes to an end, if after so many times the time for a proof.
+const PATIENCE: u32 = 60;
+
 /// Cycles within which a difference is sought at first.
 const SOON: u32 = 12;
 
@@ -53,7 +56,7 @@ pub(super) fn search(folder: &Path, way: Way<'_>, has_one_reset: bool, seconds: 
         Way::Around(_) => (IN_TURNS, 4 * seconds, 8 * seconds),
         Way::Followed(_) => {
             let miter = folder.join(MITER);
-            let limit = Duration::from_secs((8 * seconds).into());
+            let limit = Duration::from_secs((PATIENCE * seconds).into());
             return Ok(followed::follow(&miter, limit).map_err(file("read", &miter))?);
         }
     };

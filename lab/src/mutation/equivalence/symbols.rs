@@ -2,7 +2,7 @@
 
 use batsat::{BasicSolver, Lit, SolverInterface, Var, lbool};
 use rustc_hash::FxHashMap;
-use std::cell::Cell;
+use std::time::{Duration, Instant};
 
 /// A symbol or gate, with the lowest bit set its opposite.
 pub type Literal = u32;
@@ -10,8 +10,8 @@ pub type Literal = u32;
 pub const FALSE: Literal = 0;
 const TRUE: Literal = 1;
 
-/// Decisions that it may take to find out whether two are the same: where they are not, their examples mostly tell.
-const DECISIONS: u32 = 100_000;
+/// How long it may take to find out whether two are the same: where they are not, their examples mostly tell.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 /// One if both operands are, or if one of them is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -131,11 +131,8 @@ impl Symbols {
 
     fn is_shown_same(&self, a: Literal, b: Literal) -> bool {
         let mut solver = BasicSolver::default();
-        let left = Cell::new(DECISIONS);
-        solver.cb_mut().set_stop(move || {
-            left.set(left.get().saturating_sub(1));
-            left.get() == 0
-        });
+        let end = Instant::now() + PATIENCE;
+        solver.cb_mut().set_stop(move || Instant::now() > end);
         let mut variables: FxHashMap<u32, Var> = FxHashMap::default();
         let mut open = vec![a / 2, b / 2];
         while let Some(symbol) = open.pop() {
