@@ -3,11 +3,11 @@
 //! In each cycle a register is zero, one, or holds a symbol that others may hold, too, or its opposite. Inputs are symbols of their
 //! own in every cycle. From these follows what registers hold a cycle later; what is not a constant then becomes a symbol. So
 //! phases stay numbers, and a bit that was inverted stays the opposite of what it was, until it is inverted again or looked at.
-//! Once registers hold what they held before, all cycles have been seen. No invariant is searched for: a datapath of half a
-//! million gates takes half a minute.
+//! Once registers hold what they held before, all cycles have been seen. No invariant is searched for.
 
 use super::Proof;
 use super::symbols::{FALSE, Literal, Symbols};
+use crate::mutation::side_by_side::VERSIONS;
 use flussab_aiger::aig::{OrderedAig, SymbolTarget};
 use flussab_aiger::binary::{Config, Parser};
 use rustc_hash::FxHashMap;
@@ -36,8 +36,12 @@ impl Miter {
             _ => None,
         });
         let latches: HashMap<&str, usize> = latches.collect();
-        let pair = |(name, &gold): (&&str, &usize)| Some([gold, *latches.get(&*name.replacen("gold", "gate", 1))?]);
-        let pairs = latches.iter().filter(|(name, _)| name.contains("gold")).filter_map(pair).collect();
+        let pair = |(name, &first): (&&str, &usize)| {
+            let [gold, gate] = VERSIONS.map(|version| format!("{version}."));
+            let rest = name.strip_prefix(&*gold)?;
+            Some([first, *latches.get(&*format!("{gate}{rest}"))?])
+        };
+        let pairs = latches.iter().filter_map(pair).collect();
         Ok(Self { aig, pairs })
     }
 
@@ -56,13 +60,17 @@ impl Miter {
         (next, of(&literals, aig.outputs[0]))
     }
 
-    /// The same registers, with a symbol for each that is not a constant: one for those that hold the same.
-    fn forget(&self, symbols: &mut Symbols, state: &mut [Literal]) {
+    /// Has both versions of a register hold one, if they hold the same.
+    fn unite(&self, symbols: &Symbols, state: &mut [Literal]) {
         for &[gold, gate] in &self.pairs {
             if symbols.are_same(state[gold], state[gate]) {
                 state[gate] = state[gold];
             }
         }
+    }
+
+    /// The same registers, with a symbol for each that is not a constant: one for those that hold one.
+    fn forget(symbols: &mut Symbols, state: &mut [Literal]) {
         *symbols = Symbols::new();
         let mut known = FxHashMap::from_iter([(FALSE, FALSE)]);
         for literal in state {
@@ -81,8 +89,8 @@ impl Miter {
         for cycle in 0_u64.. {
             let (next, differ) = self.step(&mut symbols, &state);
             state = next;
-            // The first cycle is the reset. Once they differ, that may be hard to tell, and need not be.
-            if cycle > 0 && proof == Proof::Equivalent && !symbols.are_same(differ, FALSE) {
+            // The first cycle is the reset. Once they differ, nothing of it is asked any more.
+            if cycle > 0 && proof == Proof::Equivalent && !symbols.is_never(differ) {
                 proof = Proof::Open;
             }
             if (turn > 1 && proof == Proof::Open) || Instant::now() > end {
@@ -91,7 +99,10 @@ impl Miter {
             if cycle % turn != last {
                 continue;
             }
-            self.forget(&mut symbols, &mut state);
+            if proof == Proof::Equivalent {
+                self.unite(&symbols, &mut state);
+            }
+            Self::forget(&mut symbols, &mut state);
             if state == before.1 {
                 return (proof, cycle - before.0);
             }

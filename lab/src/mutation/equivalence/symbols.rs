@@ -1,7 +1,7 @@
 //! What bits hold, as symbols and gates of them: two that hold the same are found to do so.
 
 use batsat::{BasicSolver, Lit, SolverInterface, Var, lbool};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::time::{Duration, Instant};
 
 /// A symbol or gate, with the lowest bit set its opposite.
@@ -122,6 +122,23 @@ impl Symbols {
             }
         }
         self.gate(Gate::And([a, b]))
+    }
+
+    /// Whether one is false, whatever symbols are. In doubt it is not. What is one of many is asked of each, which is easier.
+    pub fn is_never(&self, literal: Literal) -> bool {
+        let mut seen = FxHashSet::default();
+        let mut open = vec![literal];
+        while let Some(literal) = open.pop() {
+            if !seen.insert(literal) {
+                continue;
+            }
+            match self.conjunction(literal) {
+                Some(operands) if literal & 1 == 1 => open.extend(operands.map(|operand| operand ^ 1)),
+                _ if self.are_same(literal, FALSE) => {}
+                _ => return false,
+            }
+        }
+        true
     }
 
     /// Whether both are the same, whatever symbols are. In doubt they are not.

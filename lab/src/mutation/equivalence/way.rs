@@ -28,7 +28,7 @@ impl Way<'_> {
     }
 
     /// What yosys makes of memories: registers, or what they are until it is known which of them are near. Circular buffers become
-    /// shift registers, but for those whose pointer sees the fault: which they are is known of the mutant, which comes first.
+    /// shift registers, but for those whose pointer or enable sees the fault: which they are is known of the mutant, which comes first.
     pub fn memory(self, is_mutant: bool) -> String {
         match self {
             Self::At(_) | Self::InTurns(_) => "memory".to_owned(),
@@ -86,9 +86,10 @@ const NEXT: &str = " %co*:-$dff %co2:+$dff[D,Q]";
 /// Registers that have a reset tell the time: phases, pointers, counts.
 const CONTROL: &str = "select -set control */w:one_reset */w:first_cycle.first %u %co2:+$mux[S,Y] %co2:+$dff[D,Q]\n";
 
-/// Writes down the memories whose place is told by what sees the fault.
-const BUFFERS_OF_THE_FAULT: &str = "select -write kept */c:*planted_fault_* %co*:-$dff,-$mem_v2 %co2:+$dff[D,Q] \
-    %co:+$mem_v2[RD_ADDR] */t:$mem_v2 %i\n";
+/// Writes down the memories of which the fault may have a say in where, or when, is read or written: no buffer goes round in one version
+/// and not in the other.
+const BUFFERS_OF_THE_FAULT: &str = "select -write kept */c:*planted_fault_* %co* */w:* %i \
+    %co1:+$mem_v2[RD_ADDR,WR_ADDR,WR_EN] */t:$mem_v2 %i\n";
 
 /// Makes shift registers of circular buffers, but for those.
 const BUFFERS: &str = "select -set kept -read kept\n\
