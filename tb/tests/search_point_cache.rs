@@ -17,6 +17,8 @@ const LEAVES: u64 = 96;
 /// Leaves that are asked for again and again, by their distance from the first of them, and for how many requests.
 const FAVORITES: [u64; 3] = [0, 1, LEAVES / 2];
 const FASHION: u64 = 20;
+/// By how many leaves favorites then move on: over nearly all of them, and by an even number, as pairs of them lie.
+const STEP: u64 = 4;
 
 /// The slot of a leaf: the bits of its address, laid over each other.
 fn slot(config: &Config, address: u64) -> u64 {
@@ -53,7 +55,7 @@ impl Requests {
     fn ask(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.left > 0 {
             self.left -= 1;
-            let favorite = 4 * (self.left / FASHION) + FAVORITES[feeds.random.usize(..FAVORITES.len())];
+            let favorite = STEP * (self.left / FASHION) + FAVORITES[feeds.random.usize(..FAVORITES.len())];
             let leaf = if feeds.random.u8(..4) == 0 { feeds.random.u64(..LEAVES) } else { favorite % LEAVES };
             let [address, beats] = self.leaves[leaf as usize];
             let request = vec![thread, address, beats];
