@@ -6,7 +6,7 @@ use pointcore_golden::splat::{MotionRasterizer, Rasterizer};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::rasterizer;
 
-use crate::splat::{Device, configs, hard, integer_configs, knobs, moving_configs, scene};
+use crate::splat::{Device, configs, hard, integer_configs, integers, knobs, moving_configs, scene};
 use crate::support::cases;
 
 const SPLATS: usize = 1500;
@@ -21,6 +21,8 @@ fn it_agrees_with_the_model() {
         let mut copies = scene::complete_copies(&config, copies, &mut random);
         scene::scatter(&config, &mut copies, 2, &mut random);
         hard::magnify(&config, &mut copies, 4, &mut random);
+        integers::shrink(&config, &mut copies, 4, &mut random);
+        integers::divide(&config, &mut copies, 8, &mut random);
         let latency = hardware.manifest.latency;
         let run = |copies: &[CompleteCopy], uniforms| -> Vec<Sample> {
             let uniforms = scene::named(&config, uniforms);

@@ -6,7 +6,7 @@ use pointcore_golden::splat::Setup;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::setup;
 
-use crate::splat::{Device, configs, hard, integer_configs, knobs, scene};
+use crate::splat::{Device, configs, edges, hard, integer_configs, knobs, scene};
 use crate::support::cases;
 
 const SPLATS: usize = 4000;
@@ -21,12 +21,14 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let mut random = scene::random();
         hard::spoil(&config, &mut splats, 16, &mut random);
         hard::cross_the_eye(&config, &mut splats, 4, &mut random);
-        hard::border(&config, &mut splats, 3, &mut random);
+        edges::border(&config, &mut splats, 3, &mut random);
         hard::strew(&config, &mut splats, 8, &mut random);
-        hard::tie(&config, &mut splats, 8, &mut random);
-        hard::pass_by(&config, &mut splats, 16, &mut random);
+        edges::tie(&config, &mut splats, 8, &mut random);
+        edges::pass_by(&config, &mut splats, 16, &mut random);
+        edges::graze(&config, &mut splats, 8, &mut random);
         hard::flatten(&mut splats, 16, &mut random);
         hard::scale(&config, &mut splats, 4, &mut random);
+        hard::tilt(&config, &mut splats, 4, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);
         for camera in 0..CAMERAS {
             let upright = scene::registers(&config);

@@ -11,9 +11,6 @@ use super::scene::registers;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
 
-/// Places of a center within a pixel, in a row or column.
-const PLACES: i32 = 256;
-
 /// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
 pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
     for Splat { center, tangents, attributes, .. } in splats {
@@ -116,80 +113,33 @@ pub fn strew(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rn
     }
 }
 
-/// Moves one splat in camera space in `one_in` to where one of its bounds in the image is rounded to another pixel.
-pub fn border(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    /// Where bounds are rounded, of pixels with a sample in the middle or four on their edges.
-    const ROUNDED: [f64; 4] = [126.0, 130.0, 162.0, 254.0];
-    let viewport = registers(config).viewport;
-    let pixels = [config.width, config.height];
+/// Tilts one splat in camera space in `one_in`, slightly in one direction, so that a coefficient of `m` in fixed point is rounded to another
+/// place, a hair away. In the other direction it is not tilted at all, or so much that the other coefficient is far larger.
+pub fn tilt(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    let scale = registers(config).viewport.scale;
     let number = |bits| f64::from(decode(config.geometry, bits));
-    for Splat { center, tangents, end, .. } in splats {
-        if *end || random.u32(0..one_in) != 0 {
-            continue;
-        }
-        let axis = random.usize(0..pixels.len());
-        let limit = f64::from(random.u32(0..pixels[axis])) + ROUNDED[random.usize(0..ROUNDED.len())] / 256.0;
-        let side = if random.bool() { 1.0 } else { -1.0 };
-        let (scale, depth) = (number(viewport.scale[axis]), number(center[2]));
-        let slopes = tangents.map(|tangent| number(tangent[2]) / depth);
-        let before_eye = 1.0 - slopes.iter().map(|slope| slope * slope).sum::<f64>();
-        if depth <= 0.0 || before_eye < 0.1 {
-            continue;
-        }
-        let mut place = number(center[axis]);
-        // The tangents' projections hardly change with it.
-        for _ in 0..8 {
-            let lengths: [f64; 2] = std::array::from_fn(|tangent| {
-                scale * (number(tangents[tangent][axis]) - place * slopes[tangent]) / depth
-            });
-            let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-            let middle = dot(lengths, slopes) / before_eye;
-            let half = (middle * middle + dot(lengths, lengths) / before_eye).sqrt();
-            let bound = scale * place / depth + number(viewport.origin[axis]) - middle + side * half;
-            place += (limit - bound) * depth / scale;
-        }
-        center[axis] = encode(config.geometry, place as f32);
-    }
-}
-
-/// Has one splat in camera space in `one_in` be a needle along a diagonal that passes the image, any number of pixels away, while its
-/// box covers it.
-pub fn pass_by(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    let Viewport { scale, origin, .. } = registers(config).viewport;
-    let number = |bits| decode(config.geometry, bits);
-    for Splat { center, tangents, end, .. } in splats {
-        if *end || random.u32(0..one_in) != 0 {
-            continue;
-        }
-        let [side, slope] = [(); 2].map(|()| if random.bool() { 1.0 } else { -1.0 });
-        let [along, across] = [[1.0, slope], [side, -side * slope]];
-        let apart = 2_f32.powi(random.i32(4..14)) + (config.width + config.height) as f32 * random.f32();
-        let depth = 2_f32.powi(random.i32(1..4));
-        let per_pixel: [f32; 2] = std::array::from_fn(|axis| depth / number(scale[axis]));
-        let middle = [config.width, config.height].map(|pixels| pixels as f32 / 2.0);
-        let at = |axis: usize| (middle[axis] + 0.5 * apart * across[axis] - number(origin[axis])) * per_pixel[axis];
-        let reach = |axis: usize, pixels: f32| pixels * along[axis] * per_pixel[axis];
-        let encoded = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
-        *center = encoded([at(0), at(1), depth]);
-        *tangents = [apart, 0.01].map(|pixels| encoded([reach(0, pixels), reach(1, pixels), 0.0]));
-    }
-}
-
-/// Moves the center of one splat in camera space in `one_in` to where one of its coordinates in the image is rounded to another place, a
-/// hair away.
-pub fn tie(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
-    let Viewport { scale, origin, .. } = registers(config).viewport;
-    let number = |bits| decode(config.geometry, bits);
-    for Splat { center, end, .. } in splats {
+    for Splat { center, tangents: [first, second], end, .. } in splats {
         if *end || random.u32(0..one_in) != 0 {
             continue;
         }
         let axis = random.usize(0..2);
-        let places = (1 << random.u32(1..6)) * PLACES;
-        let hair = (2.0 * random.f32() - 1.0) * 2_f32.powi(-random.i32(9..20));
-        let place = (random.i32(-places..places) as f32 + 0.5) / PLACES as f32 + hair;
-        let moved = (place - number(origin[axis])) * number(center[2]) / number(scale[axis]);
-        center[axis] = encode(config.geometry, moved);
+        let deep = number(center[2]);
+        let slope = [0.0, 0.7][random.usize(0..2)];
+        first[2] = encode(config.geometry, (slope * deep) as f32);
+        if slope > 0.0 {
+            // Nothing is taken away from the small coefficient.
+            (center[axis], second[axis]) = (0, 0);
+        }
+        let along = |tangent: &[u32; 3], axis: usize, slope: f64| {
+            number(scale[axis]) * (number(tangent[axis]) - number(center[axis]) * slope) / deep
+        };
+        let lengths = [along(first, 0, slope), along(first, 1, slope), along(second, 0, 0.0), along(second, 1, 0.0)];
+        let largest = lengths.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let place = 2_f64.powf(largest.log2().ceil() - f64::from(random.u32(17..20)));
+        let hair = (2.0 * random.f64() - 1.0) * 2_f64.powi(-random.i32(12..20));
+        let odd = if slope > 0.0 { 1 } else { 2 * random.u32(0..16) + 1 };
+        let coefficient = place * f64::from(odd) * (1.0 + hair);
+        second[2] = encode(config.geometry, (coefficient * deep / lengths[axis]) as f32);
     }
 }
 

@@ -1,8 +1,10 @@
 //! What the tests of the renderer's units share: configurations, stimuli, and the comparison of a unit with its model.
 
 pub mod collected;
+pub mod edges;
 pub mod exchange;
 pub mod hard;
+pub mod integers;
 pub mod scene;
 
 use std::sync::Arc;
