@@ -63,7 +63,22 @@ impl Symbols {
         new
     }
 
-    fn xor(&mut self, a: Literal, b: Literal) -> Literal {
+    /// All that are true where one is, as far as it is made of them; it is one of them.
+    pub fn parts(&self, literal: Literal) -> Vec<Literal> {
+        let mut parts = vec![literal];
+        let mut seen = 0;
+        while let Some(&part) = parts.get(seen) {
+            seen += 1;
+            for part in self.conjunction(part).filter(|_| part & 1 == 0).into_iter().flatten() {
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+        }
+        parts
+    }
+
+    pub fn xor(&mut self, a: Literal, b: Literal) -> Literal {
         let sign = (a ^ b) & 1;
         let [a, b] = [a & !1, b & !1];
         if a == b || a == FALSE || b == FALSE {
@@ -147,38 +162,110 @@ impl Symbols {
     }
 
     fn is_shown_same(&self, a: Literal, b: Literal) -> bool {
+        let mut question = Question::new(self, &[a, b]);
+        question.assume(&[a, b]);
+        question.assume(&[a ^ 1, b ^ 1]);
+        question.answer() == lbool::FALSE
+    }
+
+    /// Which of some are true wherever one is. In doubt none is.
+    pub fn implied(&self, literal: Literal, others: impl Iterator<Item = Literal>) -> Vec<bool> {
+        let others: Vec<Literal> = others.collect();
+        let mut are_implied: Vec<bool> =
+            others.iter().map(|&other| self.example(literal) & !self.example(other) == 0).collect();
+        let open = |are_implied: &[bool]| -> Vec<Literal> {
+            others.iter().zip(are_implied).filter_map(|(&other, &is_implied)| is_implied.then_some(other)).collect()
+        };
+        let asked = open(&are_implied);
+        let mut question = Question::new(self, &[&[literal], asked.as_slice()].concat());
+        question.assume(&[literal]);
+        loop {
+            // One of them is not.
+            let opposites: Vec<Literal> = open(&are_implied).iter().map(|other| other ^ 1).collect();
+            if opposites.is_empty() {
+                break;
+            }
+            let answer = question.answer_if_one_of(&opposites);
+            if answer == lbool::FALSE {
+                break;
+            }
+            for (is_implied, &other) in are_implied.iter_mut().zip(&others).filter(|(is_implied, _)| **is_implied) {
+                *is_implied = answer == lbool::TRUE && question.is_true(other);
+            }
+        }
+        are_implied
+    }
+}
+
+/// What a solver is asked about some symbols and what they are made of.
+struct Question {
+    solver: BasicSolver,
+    variables: FxHashMap<u32, Var>,
+}
+
+impl Question {
+    fn new(symbols: &Symbols, asked: &[Literal]) -> Self {
         let mut solver = BasicSolver::default();
         let end = Instant::now() + PATIENCE;
         solver.cb_mut().set_stop(move || Instant::now() > end);
         let mut variables: FxHashMap<u32, Var> = FxHashMap::default();
-        let mut open = vec![a / 2, b / 2];
+        let mut open: Vec<u32> = asked.iter().map(|literal| literal / 2).collect();
         while let Some(symbol) = open.pop() {
             if variables.contains_key(&symbol) {
                 continue;
             }
             variables.insert(symbol, solver.new_var_default());
-            if let Some(Gate::And(operands) | Gate::Xor(operands)) = self.all[symbol as usize] {
+            if let Some(Gate::And(operands) | Gate::Xor(operands)) = symbols.all[symbol as usize] {
                 open.extend(operands.map(|operand| operand / 2));
             }
         }
-        let of = |literal: Literal| Lit::new(variables[&(literal / 2)], literal & 1 == 0);
-        let mut clauses = vec![vec![of(a), of(b)], vec![!of(a), !of(b)]];
-        for &symbol in variables.keys() {
-            let y = of(2 * symbol);
-            match self.all[symbol as usize] {
-                None if symbol == FALSE => clauses.push(vec![!y]),
+        let mut question = Self { solver, variables };
+        let all: Vec<u32> = question.variables.keys().copied().collect();
+        for symbol in all {
+            let y = 2 * symbol;
+            match symbols.all[symbol as usize] {
+                None if y == FALSE => question.assume(&[TRUE]),
                 None => {}
-                Some(Gate::And(operands)) => {
-                    let [p, q] = operands.map(of);
-                    clauses.extend([vec![!y, p], vec![!y, q], vec![y, !p, !q]]);
+                Some(Gate::And([p, q])) => {
+                    for clause in [&[y ^ 1, p][..], &[y ^ 1, q], &[y, p ^ 1, q ^ 1]] {
+                        question.assume(clause);
+                    }
                 }
-                Some(Gate::Xor(operands)) => {
-                    let [p, q] = operands.map(of);
-                    clauses.extend([vec![!y, p, q], vec![!y, !p, !q], vec![y, !p, q], vec![y, p, !q]]);
+                Some(Gate::Xor([p, q])) => {
+                    for clause in [[y ^ 1, p, q], [y ^ 1, p ^ 1, q ^ 1], [y, p ^ 1, q], [y, p, q ^ 1]] {
+                        question.assume(&clause);
+                    }
                 }
             }
         }
-        let is_consistent = clauses.iter_mut().all(|clause| solver.add_clause_reuse(clause));
-        !is_consistent || solver.solve_limited(&[]) == lbool::FALSE
+        question
+    }
+
+    fn of(&self, literal: Literal) -> Lit {
+        Lit::new(self.variables[&(literal / 2)], literal & 1 == 0)
+    }
+
+    /// One of these is true.
+    fn assume(&mut self, literals: &[Literal]) {
+        let mut clause: Vec<Lit> = literals.iter().map(|&literal| self.of(literal)).collect();
+        // What cannot be is found when it is asked.
+        self.solver.add_clause_reuse(&mut clause);
+    }
+
+    fn answer(&mut self) -> lbool {
+        self.solver.solve_limited(&[])
+    }
+
+    /// The answer where one of these is true, too.
+    fn answer_if_one_of(&mut self, literals: &[Literal]) -> lbool {
+        let asked = Lit::new(self.solver.new_var_default(), true);
+        let mut clause: Vec<Lit> = literals.iter().map(|&literal| self.of(literal)).chain([!asked]).collect();
+        self.solver.add_clause_reuse(&mut clause);
+        self.solver.solve_limited(&[asked])
+    }
+
+    /// In the example that the last answer gave.
+    fn is_true(&self, literal: Literal) -> bool {
+        self.solver.value_lit(self.of(literal)) == lbool::TRUE
     }
 }

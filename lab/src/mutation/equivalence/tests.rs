@@ -435,3 +435,20 @@ fn what_is_followed_from_the_reset_on_is_known_when_it_is_looked_at() {
     let subtracted = |mode, bit| is_followed(&[mode, "-cell $sub", "-port B", bit]);
     assert!(subtracted("-mode const1", "-portbit 1 ") && !subtracted("-mode const0", "-portbit 0 "));
 }
+
+#[test]
+fn what_differs_only_while_another_bit_is_zero_is_followed_to_where_that_hides_it() {
+    let Some(yosys) = yosys() else { return };
+    let text = "module top (input clk, input rst, input [1:0] x, output reg z);\nreg [1:0] kept, later;\n\
+        always @(posedge clk) if (rst) z <= 0; else begin kept <= x; later <= kept; z <= later[1] & later[0];\nend\n\
+        endmodule\n";
+    let ports = [("clk", 1, In), ("rst", 1, In), ("x", 2, In), ("z", 1, Out)];
+    let subject = &Subject { interfaces: vec![interface("top", &ports, Vec::new())], ..subject(text, "", None, "top") };
+    let is_followed = |mode: &str| {
+        let mutation =
+            &listed(&yosys, subject, "top", &[mode, "-cell $procdff", "-port Q", "-wire kept ", "-wirebit 0 "]);
+        let followed = prover(&yosys, subject, "top", mutation).is_followed("top", &BTreeSet::new());
+        followed.unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!(["-mode cnot0", "-mode inv"].map(is_followed), [true, false]);
+}
