@@ -81,8 +81,8 @@ impl Miter {
         named.sort_unstable();
         let mut pairs = Vec::new();
         for group in named.chunk_by(|(place, ..), (next, ..)| place == next) {
-            let near = group.iter().map(|&(_, gold, ..)| gold);
-            let near: Rc<[usize]> = near.take(if group.len() > LARGEST_PLACE { 0 } else { LARGEST_PLACE }).collect();
+            let is_one_place = group.len() <= LARGEST_PLACE;
+            let near: Rc<[usize]> = group.iter().filter(|_| is_one_place).map(|&(_, gold, ..)| gold).collect();
             pairs.extend(group.iter().map(|&(_, gold, gate, is_address)| Pair {
                 gold,
                 gate,
