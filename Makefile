@@ -123,7 +123,7 @@ stability: setup ## Check the renderer's geometry on CASES hard cases a number f
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
 
 mutate: setup setup-fpga ## Plant single faults in the Verilog of units, and count those that their tests find, into docs/mutation.json (docs/results.md)
-	cargo run --bin pointcore -- mutate $(ARGS) --jobs $(JOBS) --record docs/mutation.json --tables docs/results.md --merge out/bench.json
+	cargo run --release --bin pointcore -- mutate $(ARGS) --jobs $(JOBS) --record docs/mutation.json --tables docs/results.md --merge out/bench.json
 
 soak: setup ## Run random configurations of both cores in lockstep with their models, JOBS at a time, and add the count to docs/soak.json (docs/results.md)
 	cargo run --release --bin pointcore -- soak --jobs $(JOBS) --revision $(shell git describe --always --dirty --exclude '*') --record docs/soak.json --tables docs/results.md --merge out/bench.json $(ARGS)
