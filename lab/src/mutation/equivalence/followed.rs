@@ -147,10 +147,11 @@ impl Miter {
                 parts.filter_map(|part| holders.get(&(part & !1)).map(|&register| (register, part ^ state[register])));
             let mut found: Vec<(usize, Literal)> = held.collect();
             let signed = near.iter().flat_map(|&register| [(register, 0), (register, 1)]);
-            let asked = signed.filter(|(register, _)| state[*register] > 1).filter(|asked| !found.contains(asked));
+            let asked = signed.filter(|asked| state[asked.0] > 1 && !found.contains(asked));
             let asked: Vec<(usize, Literal)> = asked.collect();
-            let implied = symbols.implied(difference, asked.iter().map(|&(register, sign)| state[register] ^ sign));
-            found.extend(asked.into_iter().zip(implied).filter_map(|(asked, is_implied)| is_implied.then_some(asked)));
+            let held = |&(register, sign): &(usize, Literal)| state[register] ^ sign;
+            let implied = symbols.implied(difference, asked.iter().map(held).collect());
+            found.extend(asked.iter().filter(|asked| implied.contains(&held(asked))));
             if !found.is_empty() {
                 all.insert(gate, found);
             }

@@ -168,32 +168,21 @@ impl Symbols {
         question.answer() == lbool::FALSE
     }
 
-    /// Which of some are true wherever one is. In doubt none is.
-    pub fn implied(&self, literal: Literal, others: impl Iterator<Item = Literal>) -> Vec<bool> {
-        let others: Vec<Literal> = others.collect();
-        let mut are_implied: Vec<bool> =
-            others.iter().map(|&other| self.example(literal) & !self.example(other) == 0).collect();
-        let open = |are_implied: &[bool]| -> Vec<Literal> {
-            others.iter().zip(are_implied).filter_map(|(&other, &is_implied)| is_implied.then_some(other)).collect()
-        };
-        let asked = open(&are_implied);
-        let mut question = Question::new(self, &[&[literal], asked.as_slice()].concat());
+    /// Those of some that are true wherever one is. In doubt none is.
+    pub fn implied(&self, literal: Literal, mut others: Vec<Literal>) -> Vec<Literal> {
+        others.retain(|&other| self.example(literal) & !self.example(other) == 0);
+        let mut question = Question::new(self, &[&[literal], others.as_slice()].concat());
         question.assume(&[literal]);
-        loop {
+        while !others.is_empty() {
             // One of them is not.
-            let opposites: Vec<Literal> = open(&are_implied).iter().map(|other| other ^ 1).collect();
-            if opposites.is_empty() {
-                break;
-            }
+            let opposites: Vec<Literal> = others.iter().map(|other| other ^ 1).collect();
             let answer = question.answer_if_one_of(&opposites);
             if answer == lbool::FALSE {
                 break;
             }
-            for (is_implied, &other) in are_implied.iter_mut().zip(&others).filter(|(is_implied, _)| **is_implied) {
-                *is_implied = answer == lbool::TRUE && question.is_true(other);
-            }
+            others.retain(|&other| answer == lbool::TRUE && question.is_true(other));
         }
-        are_implied
+        others
     }
 }
 
