@@ -4,9 +4,9 @@ use fastrand::Rng;
 use pointcore::number::{decode, encode, encode_attribute};
 use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{CompleteCopy, Footprint, Sight, Splat, Uniforms, Viewport};
+use pointcore_contract::splat::records::{CompleteCopy, Footprint, Splat, Uniforms, Viewport};
 
-use super::scene::registers;
+use super::scene::{registers, seen};
 
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
@@ -158,8 +158,7 @@ pub fn magnify(config: &Config, copies: &mut [CompleteCopy], one_in: u32, random
         } else {
             let factor = 2_f64.powi(random.i32(-40..40));
             [ax, ay, bx, by, delta, mx, my].into_iter().for_each(|number| multiply(format, number, factor));
-            let all = u32::MAX >> (32 - config.raster_format().limit_width());
-            *sight = Sight { near: all, far: 0, ..*sight };
+            *sight = seen(config, *sight);
         }
     }
 }

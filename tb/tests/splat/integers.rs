@@ -3,9 +3,12 @@
 use std::iter::repeat_with;
 
 use fastrand::Rng;
+use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{CompleteCopy, Footprint, Sight};
 use pointcore_contract::splat::{Coefficient, Config};
 use pointcore_contract::{Fixed, Sampling};
+
+use super::scene::seen;
 
 /// So many `Δ` are tried for a quotient that hardly leaves anything.
 const TRIES: usize = 1 << 17;
@@ -22,16 +25,11 @@ fn unsigned(number: i64, width: u32) -> u32 {
     number as u32 & (u32::MAX >> (u32::BITS - width))
 }
 
-/// Seen wherever it lies.
-fn seen(config: &Config, sight: Sight) -> Sight {
-    Sight { near: u32::MAX >> (u32::BITS - config.raster_format().limit_width()), far: 0, ..sight }
-}
-
-/// Places of a tile's samples that come before a copy's in its rectangle, column and row.
+/// Column and row of a copy's first sample in the image.
 fn first(config: &Config, copy: &CompleteCopy) -> [u32; 2] {
     let column_bits = config.tile_column_bits();
     let tile = [copy.tile & ((1 << column_bits) - 1), copy.tile >> column_bits];
-    [8 * tile[0] + u32::from(copy.bounds.left), 8 * tile[1] + u32::from(copy.bounds.top)]
+    [TILE_SIZE * tile[0] + u32::from(copy.bounds.left), TILE_SIZE * tile[1] + u32::from(copy.bounds.top)]
 }
 
 /// Makes one copy in `one_in` so small that the screen filter's disc decides, if there is one, and has it begin within a pixel of its centre.

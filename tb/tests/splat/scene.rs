@@ -218,12 +218,17 @@ fn touching(config: &Config, footprint: Footprint, random: &mut Rng) -> Footprin
     let [mx, my] = if config.eye_plane.is_on() { [0; 2] } else { [footprint.mx, footprint.my] };
     // Without limits `s1` and `D` may be either.
     let sight = if random.u8(0..8) == 0 {
-        Sight { near: u32::MAX >> (32 - bits), far: 0, turned: true, ..footprint.sight }
+        Sight { turned: true, ..seen(config, footprint.sight) }
     } else {
         Sight { negative, near, far, turned: false, ..footprint.sight }
     };
     let plane = format.floating().map_or(footprint.plane, |format| plane(format, random));
     Footprint { mx, my, sight, band, plane, ..footprint }
+}
+
+/// What is seen without limits of `D`.
+pub fn seen(config: &Config, sight: Sight) -> Sight {
+    Sight { near: u32::MAX >> (u32::BITS - config.raster_format().limit_width()), far: 0, ..sight }
 }
 
 /// A surface, or another whose band ends there.
