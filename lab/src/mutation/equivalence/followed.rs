@@ -31,8 +31,6 @@ struct Pair {
     gate: usize,
     /// The first version's registers of the same word, or in the same operator.
     near: Rc<[usize]>,
-    /// It is a bit of an address that goes out.
-    is_address: bool,
 }
 
 /// Under which conditions both versions of a register differ: other registers that are one then, or with the sign zero.
@@ -54,41 +52,29 @@ fn place(name: &str) -> &str {
     }
 }
 
-/// Whether one of the names of a register is that of a memory's address that the first version puts out.
-fn is_address(names: &str) -> bool {
-    let [first, _] = VERSIONS.map(|version| format!("{version}_"));
-    let mut outside = names.split(' ').filter(|name| name.starts_with(&first));
-    outside.any(|name| [".read_address[", ".write_address["].iter().any(|address| name.contains(address)))
-}
-
 impl Miter {
     fn read(path: &Path) -> io::Result<Self> {
         let parsed = Parser::from_read(File::open(path)?, Config::default()).and_then(Parser::parse);
         let aig: OrderedAig<u32> = parsed.map_err(|error| io::Error::other(error.to_string()))?;
         let latches = aig.symbols.iter().filter_map(|symbol| match symbol.target {
             // It goes by the first of its names.
-            SymbolTarget::Latch(latch) => Some((symbol.name.split(' ').next()?, (latch, is_address(&symbol.name)))),
+            SymbolTarget::Latch(latch) => Some((symbol.name.split(' ').next()?, latch)),
             _ => None,
         });
-        let latches: HashMap<&str, (usize, bool)> = latches.collect();
+        let latches: HashMap<&str, usize> = latches.collect();
         let [first, second] = VERSIONS.map(|version| format!("{version}."));
         let mut named = Vec::new();
-        for (name, &(gold, is_address)) in &latches {
+        for (name, &gold) in &latches {
             let Some(name) = name.strip_prefix(&*first) else { continue };
-            let Some(&(gate, _)) = latches.get(&*format!("{second}{name}")) else { continue };
-            named.push((place(name), gold, gate, is_address));
+            let Some(&gate) = latches.get(&*format!("{second}{name}")) else { continue };
+            named.push((place(name), gold, gate));
         }
         named.sort_unstable();
         let mut pairs = Vec::new();
         for group in named.chunk_by(|(place, ..), (next, ..)| place == next) {
             let is_one_place = group.len() <= LARGEST_PLACE;
-            let near: Rc<[usize]> = group.iter().filter(|_| is_one_place).map(|&(_, gold, ..)| gold).collect();
-            pairs.extend(group.iter().map(|&(_, gold, gate, is_address)| Pair {
-                gold,
-                gate,
-                near: Rc::clone(&near),
-                is_address,
-            }));
+            let near: Rc<[usize]> = group.iter().filter(|_| is_one_place).map(|&(_, gold, _)| gold).collect();
+            pairs.extend(group.iter().map(|&(_, gold, gate)| Pair { gold, gate, near: Rc::clone(&near) }));
         }
         let gates: FxHashSet<usize> = pairs.iter().map(|pair| pair.gate).collect();
         let others = (0..aig.latches.len()).filter(|register| !gates.contains(register)).collect();
@@ -114,17 +100,6 @@ impl Miter {
     fn unite(&self, symbols: &Symbols, state: &mut [Literal]) {
         for &Pair { gold, gate, .. } in &self.pairs {
             if symbols.are_same(state[gold], state[gate]) {
-                state[gate] = state[gold];
-            }
-        }
-    }
-
-    /// Has what is where a memory outside is read or written be anything, if it is the same in both: pointers of different lengths come again
-    /// together after as many steps as all have in common.
-    fn loosen(&self, symbols: &mut Symbols, state: &mut [Literal]) {
-        for &Pair { gold, gate, is_address, .. } in &self.pairs {
-            if is_address && state[gold] == state[gate] {
-                state[gold] = symbols.fresh();
                 state[gate] = state[gold];
             }
         }
@@ -208,7 +183,6 @@ impl Miter {
             if cycle % turn != last {
                 continue;
             }
-            self.loosen(&mut symbols, &mut state);
             let conditions = if proof == Proof::Equivalent {
                 self.unite(&symbols, &mut state);
                 self.conditions(&mut symbols, &state)

@@ -80,6 +80,9 @@ fn argument<'a>(mutation: &'a str, name: &str) -> Option<&'a str> {
 /// What the names of cells begin with that are yosys' own, not instances.
 const INTERNAL: char = '$';
 
+/// What the names of circular buffers begin with.
+const DELAY: &str = "delay_";
+
 /// What yosys calls registers.
 const REGISTER: &str = "$procdff";
 
@@ -201,18 +204,32 @@ impl Prover<'_> {
     /// The border of a module out of which some were taken, if all of them are known.
     fn border(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
         let mut border = self.known(module)?;
-        self.take_out(&mut border, "", module, open)?;
+        self.take_out(&mut border, "", module, &|_, inner| open.contains(inner))?;
         Some(border)
     }
 
-    fn take_out(&self, border: &mut Border, path: &str, module: &str, open: &BTreeSet<&str>) -> Option<()> {
+    /// The same where circular buffers of the module stay in.
+    fn border_with_delays(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
+        let mut border = self.known(module)?;
+        self.take_out(&mut border, "", module, &|place, inner| open.contains(inner) && !place.starts_with(DELAY))?;
+        Some(border)
+    }
+
+    /// Takes instances out of a module, by their place and what they are.
+    fn take_out(
+        &self,
+        border: &mut Border,
+        path: &str,
+        module: &str,
+        is_out: &dyn Fn(&str, &str) -> bool,
+    ) -> Option<()> {
         for instance in self.modules.inside(module) {
             let place = format!("{path}{}", instance.name);
-            if open.contains(instance.of) {
+            if is_out(&place, instance.of) {
                 let inner = self.known(instance.of).or_else(|| Border::memory(&instance))?;
                 border.take_out(&place, &inner);
             } else {
-                self.take_out(border, &format!("{place}."), instance.of, open)?;
+                self.take_out(border, &format!("{place}."), instance.of, is_out)?;
             }
         }
         Some(())
@@ -286,7 +303,7 @@ impl Prover<'_> {
             return Ok(false);
         }
         let open = but_comparisons(open);
-        let border = self.border(plain(module), &open).as_ref().map(Border::after_reset);
+        let border = self.border_with_delays(plain(module), &open).as_ref().map(Border::after_reset);
         Ok(self.compare_as(module, &open, Way::Followed(border.as_ref()))? == Proof::Equivalent)
     }
 }

@@ -452,3 +452,33 @@ fn what_differs_only_while_another_bit_is_zero_is_followed_to_where_that_hides_i
     };
     assert_eq!(["-mode cnot0", "-mode inv"].map(is_followed), [true, false]);
 }
+
+#[test]
+fn a_buffer_in_a_memory_of_its_own_may_begin_anywhere_and_stays_in_where_memories_are_taken_out() {
+    let Some(yosys) = yosys() else { return };
+    let memory = "module memory_1w1r #(parameter WIDTH = 1, parameter DEPTH = 2) (input clk, input write,\n\
+        input [$clog2(DEPTH)-1:0] write_address, input [WIDTH-1:0] write_data, input read,\n\
+        input [$clog2(DEPTH)-1:0] read_address, output reg [WIDTH-1:0] read_data);\nreg [WIDTH-1:0] words [0:DEPTH-1];\n\
+        always @(posedge clk) begin if (write) words[write_address] <= write_data;\n\
+        if (read) read_data <= words[read_address]; end\nendmodule\n";
+    // What was in the buffer before is not looked at.
+    let top = "module top (input clk, input rst, input [1:0] x, output reg [1:0] z);\n\
+        reg [1:0] delay_6_from_0_pointer;\nreg [5:0] filled;\nwire [1:0] delayed;\n\
+        memory_1w1r #(.WIDTH(2), .DEPTH(4)) delay_6_from_0 (\n.clk(clk), .write(1'd1),\n\
+        .write_address(delay_6_from_0_pointer), .write_data(x), .read(1'd1),\n\
+        .read_address(delay_6_from_0_pointer), .read_data(delayed)\n);\n\
+        always @(posedge clk) begin filled <= {filled[4:0], 1'd1} & {6{!rst}}; z <= delayed & {2{filled[5]}};\n\
+        if (rst) delay_6_from_0_pointer <= 0; else delay_6_from_0_pointer <= delay_6_from_0_pointer + 2'd1;\nend\n\
+        endmodule\n";
+    let ports = [("clk", 1, In), ("rst", 1, In), ("x", 2, In), ("z", 2, Out)];
+    let interfaces = vec![interface("top", &ports, Vec::new())];
+    let subject = &Subject { interfaces, ..subject(&format!("{memory}{top}"), "", None, "top") };
+    let is_followed = |words: &[&str]| {
+        let mutation = &listed(&yosys, subject, "top", words);
+        let followed = prover(&yosys, subject, "top", mutation).is_followed("top", &BTreeSet::from(["memory_1w1r"]));
+        followed.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let begins_elsewhere = ["-mode const1", "-cell $procmux", "-port B", "-portbit 1 "];
+    let stands_still = ["-mode const0", "-cell $add", "-port B", "-portbit 0 "];
+    assert_eq!([begins_elsewhere.as_slice(), &stands_still].map(is_followed), [true, false]);
+}

@@ -95,12 +95,14 @@ impl Prover<'_> {
         let each = |text: fn(&&str) -> String| open.iter().map(text).collect::<String>();
         let blackened = each(|name| format!("blackbox {name} $paramod*\\\\{name}\n"));
         let turned = each(|name| format!("expose -evert */t:{name} */t:$paramod*\\\\{name}\n"));
-        let read =
-            format!("{library}read_verilog first_cycle.v\nproc first_cycle\n{blackened}hierarchy -top {module}\n");
+        let kept = way.kept(module);
+        let read = format!(
+            "{library}read_verilog first_cycle.v\nproc first_cycle\n{kept}{blackened}hierarchy -top {module}\n"
+        );
         let flat = |name: &str, found: &str, before: &str, after: &str| {
-            let memory = way.memory(!found.is_empty());
+            let [memory, delays] = [way.memory(), &way.delays(!found.is_empty())];
             format!(
-                "{read}{found}{memory}\nflatten\nrename {module} {name}\n{before}{turned}opt_clean\n{after}\
+                "{read}{found}{memory}\nflatten\n{delays}rename {module} {name}\n{before}{turned}opt_clean\n{after}\
                  setundef -undriven -zero\nsetundef -zero\ndesign -stash {name}\n"
             )
         };

@@ -1,5 +1,6 @@
 //! Ways to compare a module with its mutant.
 
+use super::DELAY;
 use super::planted::FAULT;
 use crate::mutation::side_by_side::Border;
 
@@ -27,16 +28,29 @@ impl Way<'_> {
         !matches!(self, Self::At(_))
     }
 
-    /// What yosys makes of memories: registers, or what they are until it is known which of them are near. Circular buffers become
-    /// shift registers, but for those whose pointer or enable sees the fault: which they are is known of the mutant, which comes first.
-    pub fn memory(self, is_mutant: bool) -> String {
+    /// What yosys makes of memories: registers, or what they are until it is known which of them are near.
+    pub const fn memory(self) -> &'static str {
         match self {
-            Self::At(_) | Self::InTurns(_) => "memory".to_owned(),
-            Self::Around(_) => "memory -nordff -nomap".to_owned(),
-            Self::Followed(_) => {
-                let told = if is_mutant { BUFFERS_OF_THE_FAULT } else { "" };
-                format!("memory -nordff -nomap\n{told}{BUFFERS}")
-            }
+            Self::At(_) | Self::InTurns(_) => "memory",
+            Self::Around(_) | Self::Followed(_) => "memory -nordff -nomap",
+        }
+    }
+
+    /// Has the memories of circular buffers stay in a module, where others of their kind are taken out.
+    pub fn kept(self, module: &str) -> String {
+        match self {
+            Self::Followed(_) => format!("hierarchy -top {module}\nuniquify {module}/c:{DELAY}*\n"),
+            Self::At(_) | Self::InTurns(_) | Self::Around(_) => String::new(),
+        }
+    }
+
+    /// What yosys makes of circular buffers once all is flat: shift registers, but for those whose pointer or enable sees the fault. Which
+    /// they are is known of the mutant, which comes first.
+    pub fn delays(self, is_mutant: bool) -> String {
+        let told = if is_mutant { BUFFERS_OF_THE_FAULT } else { "" };
+        match self {
+            Self::Followed(_) => format!("{told}{BUFFERS}"),
+            Self::At(_) | Self::InTurns(_) | Self::Around(_) => String::new(),
         }
     }
 }
@@ -93,7 +107,7 @@ const BUFFERS_OF_THE_FAULT: &str = "select -write kept */c:*planted_fault_* %co*
 
 /// Makes shift registers of circular buffers, but for those.
 const BUFFERS: &str = "select -set kept -read kept\n\
-    techmap -autoproc -map delays.v */t:$mem_v2 */c:*delay_*_from_* %i @kept %d";
+    techmap -autoproc -map delays.v */t:$mem_v2 */c:*delay_*_from_* %i @kept %d\n";
 
 /// Has both versions show their registers but for these and those that are marked as near.
 const SHOWN: &str = "expose -cut -dff -shared */w:* */w:first_cycle.* %d @control %d */a:near %d\n";
