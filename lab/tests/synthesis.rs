@@ -21,7 +21,7 @@ fn measure(target: Target, name: &str) -> Option<Measurement> {
             *steps.lock().expect("no step panics") += 1;
         }
     };
-    let measured = synthesizer.measure(&unit, 1, &done);
+    let measured = synthesizer.measure(&unit, 1..=1, &done);
     let measured = measured.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(*steps.lock().expect("no step panics"), 1, "synthesis only");
     Some(measured)

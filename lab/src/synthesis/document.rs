@@ -51,7 +51,8 @@ mod tests {
     #[test]
     fn a_table_is_written_between_its_marks() {
         let area = DeviceArea { lut: 42, ..DeviceArea::default() };
-        let measurement = Measurement { unit: "f32_add".into(), area, timing: None, fmax_mhz: Vec::new() };
+        let measurement =
+            Measurement { unit: "f32_add".into(), area, timing: None, fmax_mhz: Vec::new(), first_seed: 1 };
         let mut record = AreaRecord::default();
         record.insert(AreaEntry::new(Target::Ecp5, None, String::new(), Vec::new(), measurement));
         let text = record.tabulate("before\n<!-- area ecp5: made by a command -->\nold\n<!-- end of area -->\nafter\n");

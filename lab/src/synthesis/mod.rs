@@ -34,6 +34,7 @@ use pointcore_tb::cache::{Cache, FileError, file, key};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use steps::watched;
@@ -52,6 +53,8 @@ pub struct Measurement {
     pub timing: Option<Timing>,
     /// The frequency with every seed, in MHz.
     pub fmax_mhz: Vec<f64>,
+    /// The first of the seeds.
+    pub first_seed: u32,
 }
 
 /// Tools for one target, and the cache of their results.
@@ -73,31 +76,31 @@ impl Synthesizer {
         Ok(Self { target, yosys: Tool::yosys()?, router: router.transpose()?, cache })
     }
 
-    /// Measures a unit, its clock with seeds 1 to `seeds`; `progress` hears of every step done.
+    /// Measures a unit, its clock with each of the `seeds`; `progress` hears of every step done.
     ///
     /// # Errors
     /// A tool's failure, or a unit that the device cannot hold.
     pub fn measure(
         &self,
         unit: &MeasuredUnit,
-        seeds: u32,
+        seeds: RangeInclusive<u32>,
         progress: StepListener<'_>,
     ) -> Result<Measurement, SynthesisError> {
         let name = &unit.name;
         let synthesis = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
         let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
         let area = cells::parse(self.target, &read(&synthesis.0.join(CELLS))?).map_err(report)?;
-        let mut runs = Vec::new();
+        let (first_seed, mut runs) = (*seeds.start(), Vec::new());
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
                 let run = || self.route(unit, device, router, &synthesis, seed, progress);
                 watched(name, Some(seed), progress, run)
             };
-            runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
+            runs = seeds.into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
         }
         let fmax_mhz = runs.iter().map(|run: &Timing| run.fmax_mhz).collect();
-        Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz })
+        Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz, first_seed })
     }
 
     /// The technology.

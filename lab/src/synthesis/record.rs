@@ -23,6 +23,9 @@ pub struct AreaEntry {
     pub configuration: Option<PathBuf>,
     /// Runs of place and route; the figures are those of the median.
     pub seeds: usize,
+    /// The first of their seeds.
+    #[serde(default = "first", skip_serializing_if = "is_first")]
+    pub first_seed: u32,
     /// Hash of the Verilog, the script and the arguments.
     pub source: String,
     /// The revision of the project that it was measured of, where the hardware has changed since.
@@ -56,6 +59,16 @@ pub struct AreaRecord {
     entries: Vec<AreaEntry>,
 }
 
+/// The seed that runs begin with where nothing else is asked for.
+const fn first() -> u32 {
+    1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+const fn is_first(seed: &u32) -> bool {
+    *seed == first()
+}
+
 impl AreaEntry {
     /// Keeps a measurement; frequencies to a hundredth.
     #[must_use]
@@ -66,24 +79,27 @@ impl AreaEntry {
         tools: Vec<String>,
         measurement: Measurement,
     ) -> Self {
-        let Measurement { unit, area, timing, fmax_mhz } = measurement;
+        let Measurement { unit, area, timing, fmax_mhz, first_seed } = measurement;
         let round = |mhz: f64| (mhz * 100.0).round() / 100.0;
         let timing = timing.map(|timing| Timing { fmax_mhz: round(timing.fmax_mhz), ..timing });
         let (seeds, fmax_mhz) = (fmax_mhz.len(), fmax_mhz.into_iter().map(round).collect());
-        Self { unit, target, configuration, seeds, source, revision: None, tools, area, timing, fmax_mhz }
+        Self { unit, target, configuration, seeds, first_seed, source, revision: None, tools, area, timing, fmax_mhz }
     }
 
     /// What was measured.
     #[must_use]
     pub fn measurement(&self) -> Measurement {
-        let Self { unit, area, timing, fmax_mhz, .. } = self.clone();
-        Measurement { unit, area, timing, fmax_mhz }
+        let Self { unit, area, timing, fmax_mhz, first_seed, .. } = self.clone();
+        Measurement { unit, area, timing, fmax_mhz, first_seed }
     }
 
     /// The command that measures it anew into the record.
     fn command(&self, record: &Path) -> String {
         let unit = self.configuration.as_ref().map_or_else(|| self.unit.clone(), |path| path.display().to_string());
-        let seeds = if self.seeds > 0 { format!(" --seeds {}", self.seeds) } else { String::new() };
+        let mut seeds = if self.seeds > 0 { format!(" --seeds {}", self.seeds) } else { String::new() };
+        if !is_first(&self.first_seed) {
+            seeds += &format!(" --first-seed {}", self.first_seed);
+        }
         format!("pointcore area {unit} --target {}{seeds} --record {}", self.target.name(), record.display())
     }
 
@@ -215,8 +231,13 @@ mod tests {
     fn entry(unit: &str, target: Target) -> AreaEntry {
         let area = DeviceArea { lut: 42, ..DeviceArea::default() };
         let timing = Timing { fmax_mhz: 123.456, from: "a".into(), to: "b".into() };
-        let measurement =
-            Measurement { unit: unit.into(), area, timing: Some(timing), fmax_mhz: vec![120.0, 123.456, 130.0] };
+        let measurement = Measurement {
+            unit: unit.into(),
+            area,
+            timing: Some(timing),
+            fmax_mhz: vec![120.0, 123.456, 130.0],
+            first_seed: 2,
+        };
         let unit = all().into_iter().find(|known| known.name == unit);
         let source = unit.map(|unit| source_hash(target, &unit).unwrap_or_else(|error| panic!("{error}")));
         AreaEntry::new(target, None, source.unwrap_or_default(), vec!["yosys".into()], measurement)
@@ -249,7 +270,10 @@ mod tests {
         let changed = record.entries[0].unit.clone();
         let stale = record.stale(path);
         assert_eq!(stale.len(), 2, "{stale:?}");
-        assert_eq!(stale[0].remedy, format!("pointcore area {changed} --target ecp5 --seeds 3 --record area.json"));
+        assert_eq!(
+            stale[0].remedy,
+            format!("pointcore area {changed} --target ecp5 --seeds 3 --first-seed 2 --record area.json")
+        );
         assert!(stale[1].problem.contains("`bf16_gone`"), "{stale:?}");
         let missing = AreaEntry { configuration: Some("gone.toml".into()), ..entry("gone", Target::Gates) };
         let stale = AreaRecord { entries: vec![missing] }.stale(path);

@@ -95,7 +95,10 @@ fn row(target: Target, measurement: &Measurement, style: Style) -> Vec<String> {
         let high = measurement.fmax_mhz.iter().copied().fold(0.0, f64::max);
         row.push(format!("{:.0}", timing.fmax_mhz));
         row.push(format!("{low:.0}–{high:.0}"));
-        row.push(measurement.fmax_mhz.len().to_string());
+        row.push(match (measurement.fmax_mhz.len(), measurement.first_seed) {
+            (runs, 1) => runs.to_string(),
+            (runs, first) => format!("{runs}, from {first}"),
+        });
         row.push(format!("{} → {}", code(&timing.from), code(&timing.to)));
     }
     row
@@ -138,7 +141,13 @@ mod tests {
     fn measurement() -> Measurement {
         let area = DeviceArea { lut: 599, carry: 59, flip_flop: 344, ..DeviceArea::default() };
         let timing = Timing { fmax_mhz: 141.6, from: "sum_s3".into(), to: "zeros_s4".into() };
-        Measurement { unit: "f32_add".into(), area, timing: Some(timing), fmax_mhz: vec![150.2, 139.9, 141.6] }
+        Measurement {
+            unit: "f32_add".into(),
+            area,
+            timing: Some(timing),
+            fmax_mhz: vec![150.2, 139.9, 141.6],
+            first_seed: 1,
+        }
     }
 
     #[test]

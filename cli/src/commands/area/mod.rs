@@ -28,9 +28,13 @@ pub struct Arguments {
     /// The technology: ecp5 and ice40 are placed and routed, the others synthesized only.
     #[arg(long, value_parser = choices::targets(), default_value = "ecp5")]
     target: Target,
-    /// Runs of place and route for each unit, with seeds from 1; the median counts.
+    /// Runs of place and route for each unit; the median counts.
     #[arg(long, default_value_t = 5, value_parser = numbers::within(1_u32..=99, "1 to 99 seeds"))]
     seeds: u32,
+
+    /// Seed of the first run, the others follow: where a placement does not route, that of another seed may; the record says which.
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = numbers::within(1_u32..=9999, "a seed from 1 to 9999"))]
+    first_seed: u32,
     /// Tools that run at a time.
     #[arg(long, default_value_t = 1, value_parser = numbers::within(1_u16..=256, "1 to 256 at a time"))]
     jobs: u16,
@@ -164,7 +168,8 @@ fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let pool = pool.map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
     let display = Display::default();
     let measure = |Named { unit, configuration }: &Named| {
-        let measured = synthesizer.measure(unit, arguments.seeds, &|step| display.show(step))?;
+        let seeds = arguments.first_seed..=arguments.first_seed + arguments.seeds - 1;
+        let measured = synthesizer.measure(unit, seeds, &|step| display.show(step))?;
         if let Some(recorder) = &recorder {
             recorder.keep(&synthesizer, unit, configuration.as_deref(), &measured)?;
         }
