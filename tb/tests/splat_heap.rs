@@ -68,6 +68,8 @@ const FILLED: [(u32, u32); 8] = [(3, 2), (4, 4), (5, 2), (7, 4), (10, 2), (10, 4
 const REPLACED: usize = 20_000;
 /// Epochs that begin meanwhile; a number's first bit tells one from the next.
 const EPOCHS: usize = 4;
+/// Quarters of an epoch in which all that enters is of one tile: what is of others stays for longer than numbers are told apart.
+const OF_ONE_TILE: usize = 9;
 /// Cycles in which a full heap takes nothing, to be sure that it is full: more than an operation takes.
 const FULL_CYCLES: u32 = 16;
 /// Entries that leave a heap at once, for the queue behind it.
@@ -124,7 +126,7 @@ fn of_tile(entries: &[Vec<u64>], tile: u64) -> Vec<u64> {
     entries.iter().filter(|entry| entry[0] == tile).map(|entry| entry[1]).collect()
 }
 
-/// Heaps of up to 4,095 entries, full, with many of the same tile; both ends stall.
+/// Heaps of up to 4,095 entries, full, with many of the same tile, or all of it for long; both ends stall.
 #[test]
 fn heaps_are_filled_to_the_brim_and_emptied() {
     for (heap_levels, heap_interval) in FILLED {
@@ -137,7 +139,9 @@ fn heaps_are_filled_to_the_brim_and_emptied() {
         let stream = |name| streams.get(name).expect("a heap has it").clone();
         for seed in seeds(2).expect("POINTCORE_SEED is a number") {
             let mut random = fastrand::Rng::with_seed(seed);
-            let entries = entries(&config, capacity + BEHIND + replaced, &mut random);
+            let mut entries = entries(&config, capacity + BEHIND + replaced, &mut random);
+            let of_one_tile = &mut entries[capacity + BEHIND..][..OF_ONE_TILE << (sequence_bits - 1) >> 2];
+            of_one_tile.iter_mut().for_each(|entry| entry.tile = COMMON % (1 << config.tile_bits()));
             let brim = Brim {
                 input: stream("in"),
                 out: stream("out"),
