@@ -34,7 +34,7 @@ fn sorted(mut entries: Vec<HeapEntry>) -> Vec<HeapEntry> {
 }
 
 /// Levels, cycles of an operation, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than
-/// the heap is large, one column of tiles and many. Numbers are enough to fill the heap.
+/// the heap is large, one column of tiles and many. Numbers are enough to fill the heap; large ones hold few entries here.
 #[test]
 fn it_agrees_with_the_model_at_every_size() {
     for (heap_levels, heap_interval, sequence_bits, width) in [
@@ -47,6 +47,8 @@ fn it_agrees_with_the_model_at_every_size() {
         (5, 2, 5, 130),
         (5, 4, 5, 130),
         (7, 2, 9, 61),
+        (10, 4, 14, 61),
+        (12, 2, 16, 61),
     ] {
         let config = Config { heap_levels, heap_interval, width, height: 37, ..Config::default() };
         let device = Device::new(&config, &heap::numbered(&config, sequence_bits), &units::heap::UNIT);
