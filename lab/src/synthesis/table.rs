@@ -158,6 +158,8 @@ mod tests {
         let cells: Vec<_> = row.split_whitespace().collect();
         let expected = ["f32_add", "599", "59", "344", "0", "0", "0", "142", "140–150", "3", "sum_s3", "→", "zeros_s4"];
         assert_eq!(cells, expected);
+        let text = table(Target::Ecp5, &[Measurement { first_seed: 7, ..measurement() }.into()], Style::Plain);
+        assert!(text.contains("  3, from 7  sum_s3"), "{text}");
     }
 
     #[test]
