@@ -203,19 +203,21 @@ impl Prover<'_> {
 
     /// The border of a module out of which some were taken, if all of them are known.
     fn border(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
-        let mut border = self.known(module)?;
-        self.take_out(&mut border, "", module, &|_, inner| open.contains(inner))?;
-        Some(border)
+        self.border_without(module, &|_, inner| open.contains(inner))
     }
 
     /// The same where circular buffers of the module stay in.
     fn border_with_delays(&self, module: &str, open: &BTreeSet<&str>) -> Option<Border> {
+        self.border_without(module, &|place, inner| open.contains(inner) && !place.starts_with(DELAY))
+    }
+
+    /// The same without some instances, by their place and what they are.
+    fn border_without(&self, module: &str, is_out: &dyn Fn(&str, &str) -> bool) -> Option<Border> {
         let mut border = self.known(module)?;
-        self.take_out(&mut border, "", module, &|place, inner| open.contains(inner) && !place.starts_with(DELAY))?;
+        self.take_out(&mut border, "", module, is_out)?;
         Some(border)
     }
 
-    /// Takes instances out of a module, by their place and what they are.
     fn take_out(
         &self,
         border: &mut Border,
