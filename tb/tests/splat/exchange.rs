@@ -74,14 +74,19 @@ pub struct Exchange {
 /// Short frames, each of a few tiles: some leave while their last copies still come.
 const SHORT_FRAMES: usize = 60;
 
-/// Frames of copies: one of a single tile, one that wanders over the image, an empty one, one of random tiles, and short ones.
+/// Frames of copies: one of a single tile, one that wanders over the image, an empty one, one of random tiles, and short ones; or short
+/// ones first, of which some leave while memories are still cleared.
 fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
     let (columns, rows) = (config.tile_columns(), config.height.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
     let short = (0..SHORT_FRAMES).map(|_| random.u32(0..24));
-    let counts: Vec<_> = [1500, 600, 0, 300].into_iter().chain(short).collect();
+    let long = [1500, 600, 0, 300];
+    let mut frames: Vec<_> = long.into_iter().chain(short).enumerate().collect();
+    if random.bool() {
+        frames.rotate_left(long.len());
+    }
     let mut copies = VecDeque::new();
-    for (frame, count) in counts.into_iter().enumerate() {
+    for (frame, count) in frames {
         let corner = random.u32(0..columns * rows);
         for number in 0..=count {
             let mut copy: TileCopy = noise(config, random);

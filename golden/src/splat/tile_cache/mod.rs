@@ -111,9 +111,28 @@ impl TileCache {
         }
     }
 
-    /// Whether memories hold what they should after reset.
+    /// Whether memories hold what they should after reset, of the surface that is drawn first.
     const fn is_clear(&self) -> bool {
-        self.clears.is_none()
+        matches!(self.clears, None | Some(SurfacePlace { surface: true, .. }))
+    }
+
+    /// Clears the next word of the memories; of the second surface in cycles in which nothing else may write.
+    fn clear(&mut self) {
+        let writes = self.is_at(JobStep::Changed).is_some() || self.leaving.surface.is_some() || self.pending.writes();
+        let Some(at) = self.clears.filter(|at| !at.surface || !writes) else { return };
+        let word = at.word(self.places());
+        self.stored[word] = 0;
+        self.pending.clear(word);
+        self.clears = match self.share.following(at.place) {
+            Some(place) => Some(SurfacePlace { place, ..at }),
+            None => (!at.surface).then_some(SurfacePlace { surface: true, place: 0 }),
+        };
+    }
+
+    /// Whether no copies may come: not before memories are clear, those of the second surface not before these are.
+    fn is_full(&self) -> bool {
+        let frames = self.pending.whole + u32::from(self.leaving.given);
+        frames >= SURFACES || !self.is_clear() || (self.clears.is_some() && self.pending.turns_to_second())
     }
 
     /// Places that a surface has.
@@ -270,7 +289,7 @@ impl Model for TileCache {
     fn outputs(&self) -> Out {
         Out {
             in_ready: self.input.in_ready(),
-            full: !self.is_clear() || self.pending.whole + u32::from(self.leaving.given) >= SURFACES,
+            full: self.is_full(),
             out: self.out.out().copied(),
             read: self.traffic.read.out().copied(),
             data_ready: self.traffic.data_ready(self.aim()),
@@ -306,17 +325,11 @@ impl Model for TileCache {
 
         let (mut passed, mut switches) = (None, false);
         let next = self.next;
-        let misses = self.is_clear() && self.turn == Turn::Idle && job.is_none() && self.head_misses();
+        let is_clear = self.is_clear();
+        let misses = is_clear && self.turn == Turn::Idle && job.is_none() && self.head_misses();
         let skips = self.skip();
-        if let Some(SurfacePlace { surface, place }) = self.clears {
-            let word = SurfacePlace { surface, place }.word(self.places());
-            self.stored[word] = 0;
-            self.pending.clear(word);
-            self.clears = match self.share.following(place) {
-                Some(place) => Some(SurfacePlace { surface, place }),
-                None => (!surface).then_some(SurfacePlace { surface: true, place: 0 }),
-            };
-        } else if let Some(copy) = self.head {
+        self.clear();
+        if let Some(copy) = self.head.filter(|_| is_clear) {
             if copy.end {
                 switches = self.switch(skips);
             } else {

@@ -71,6 +71,16 @@ impl Pending {
         self.lasts[word] = None;
     }
 
+    /// Whether a word may be written in this cycle.
+    pub const fn writes(&self) -> bool {
+        self.arrived.is_some() || self.clears.is_some()
+    }
+
+    /// Whether the next copy is one for the second surface; while that is cleared none has come.
+    pub fn turns_to_second(&self) -> bool {
+        self.surface || self.arrived.is_some_and(|copy| copy.end)
+    }
+
     /// Whether copies of a tile are still to come.
     pub fn has(&self, at: SurfacePlace) -> bool {
         self.lasts[at.word(self.places)].is_some()

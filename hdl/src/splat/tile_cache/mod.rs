@@ -23,7 +23,7 @@ use directory::{Changes, Directory, Lookup};
 use leaving::{Gone, Leaving, Surroundings};
 use moves::{Begins, exchange};
 use pending::{Lookups, Pending};
-use rtl::{Expr, Module, Reg, cat};
+use rtl::{Expr, Module, Reg, Wire, bit, cat};
 use state::State;
 
 /// What happens to the copy at the head.
@@ -120,7 +120,7 @@ fn stored_masks(
     state: &State,
     leaving: &Leaving,
     (misses, tile): (Expr, Expr),
-    (written, sends): (Expr, Expr),
+    (written, sends, clears): (Expr, Expr, Expr),
 ) -> StoredMasks {
     let words = 1 << (SURFACE_BITS + config.place_bits());
     let word = |tile: Expr| cat([state.surface.expr(), share::place(config, tile)]);
@@ -131,8 +131,8 @@ fn stored_masks(
 
     let goes = m.wire("mask_is_kept", state.changed & state.goes);
     let kept = goes.repeat(TILE_PIXELS) & written;
-    let address = state.clearing.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
-    m.write(masks, (goes | state.clearing) | sends, address, kept);
+    let address = clears.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
+    m.write(masks, (goes | clears) | sends, address, kept);
     StoredMasks { shown, goes, looked_at }
 }
 
@@ -145,11 +145,13 @@ struct StoredMasks {
     looked_at: Expr,
 }
 
-/// Clears the memories after reset, a word of each a cycle.
-fn clear(m: &mut Module, config: &Config, state: &State) {
+/// Clears the memories after reset, a word of each in a cycle; those of the second surface in cycles in which nothing else may write.
+fn clear(m: &mut Module, config: &Config, state: &State, clears: Wire, writes: Expr) {
+    m.drive(clears, state.clearing | (state.clearing_second & !writes));
     let (next, is_last) = share::following(config, *state.cleared);
-    m.next_if(state.cleared, state.clearing, next);
-    m.next(state.clearing, state.clearing & !is_last);
+    m.next_if(state.cleared, clears, next);
+    m.next(state.clearing, state.clearing & !next.msb());
+    m.next_if(state.clearing_second, clears & is_last, bit(false));
 }
 
 /// Items that its queues hold.
@@ -186,29 +188,26 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     PORTS.slot_ready.drive_word(&mut m, directory.ready());
     let retire = PORTS.retire.declare(&mut m, config);
     let leaving = Leaving::new(&mut m, config);
-    clear(&mut m, config, &state);
-
     let draws_what_leaves = m.wire("draws_what_leaves", leaving.leaves & !leaving.given);
     // The mask of the tile that is looked at becomes empty.
     let sends = m.forward("mask_is_sent", 1);
+    let clears = m.forward("word_is_cleared", 1);
     let placement = place_copy(&mut m, config, &state, &directory, &head, out, (draws_what_leaves, sends.expr()));
     if config.tests_samples() {
         let placed = SlotTile { slot: *state.slot, tile: *state.tile };
         PORTS.placed.drive(&mut m, config, state.looking & state.comes, placed);
     }
     let masks = PORTS.masks.declare(&mut m, config);
-    let stored =
-        stored_masks(&mut m, config, &state, &leaving, (placement.misses, tile), (masks.written, sends.expr()));
-    let lookups = Lookups {
-        surface: *state.surface,
-        clearing: *state.clearing,
-        cleared: *state.cleared,
-        place: stored.looked_at,
-    };
+    let writes = (masks.written, sends.expr(), clears.expr());
+    let stored = stored_masks(&mut m, config, &state, &leaving, (placement.misses, tile), writes);
+    let lookups =
+        Lookups { surface: *state.surface, clears: clears.expr(), cleared: *state.cleared, place: stored.looked_at };
     let pending = Pending::new(&mut m, config, &lookups, &head);
     pending.count(&mut m, placement.switch);
     let is_full = pending.whole.bit(1) | (pending.whole.bit(0) & leaving.given);
-    PORTS.full.drive_word(&mut m, state.clearing | is_full);
+    let is_late = state.clearing_second & pending.turns_to_second;
+    PORTS.full.drive_word(&mut m, (state.clearing | is_late) | is_full);
+    clear(&mut m, config, &state, clears, (state.changed | leaving.leaves) | pending.writes);
 
     let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
     let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };

@@ -30,14 +30,18 @@ pub(super) struct Pending {
     is_end: Expr,
     /// What the memory shows.
     pub is_shown: Expr,
+    /// A word may be written in this cycle.
+    pub writes: Expr,
+    /// The next copy is one for the second surface; while that is cleared none has come.
+    pub turns_to_second: Expr,
 }
 
 /// What the memory of copies is told.
 pub(super) struct Lookups {
     /// The surface that is drawn.
     pub surface: Expr,
-    /// The word that is cleared after reset, while `clearing`.
-    pub clearing: Expr,
+    /// The word that is cleared after reset, while `clears`.
+    pub clears: Expr,
     pub cleared: Expr,
     /// The word that is looked up in cycles in which no copy reaches the head.
     pub place: Expr,
@@ -46,7 +50,7 @@ pub(super) struct Lookups {
 impl Pending {
     /// Follows the copies that arrive, and those that reach the head.
     pub fn new(m: &mut Module, config: &Config, lookups: &Lookups, head: &Head<TileCopy<Wires>>) -> Self {
-        let Lookups { surface, clearing, cleared, place } = *lookups;
+        let Lookups { surface, clears, cleared, place } = *lookups;
         let arrives = PORTS.arrives.declare(m, config);
         let comes = m.reg_reset("arrived", 1, 0);
         m.next(comes, arrives.valid);
@@ -83,9 +87,10 @@ impl Pending {
         m.next_if(forgotten, reached, head_word);
 
         let written = enters.mux(arrived_word, forgotten);
-        let value = LastCopy { valid: enters & !clearing, splat: arrived.splat }.pack(config);
-        m.write(last_copies, clearing | (enters | forgets), clearing.mux(cleared, written), value);
-        Self { whole, is_end, is_shown: shown.valid }
+        let value = LastCopy { valid: enters & !clears, splat: arrived.splat }.pack(config);
+        m.write(last_copies, clears | (enters | forgets), clears.mux(cleared, written), value);
+        let (writes, turns_to_second) = (comes | forgets, arriving_surface | is_end);
+        Self { whole, is_end, is_shown: shown.valid, writes, turns_to_second }
     }
 
     /// Counts the frames that are whole: one is drawn in cycles where `switches` is set.

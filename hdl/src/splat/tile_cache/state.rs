@@ -10,8 +10,9 @@ use rtl::{Expr, Module, Reg, address_width};
 /// Registers of the unit.
 pub(super) struct State {
     pub depths: Depths,
-    /// Memories are cleared after reset, word by word.
+    /// Memories are cleared after reset, word by word: those of the first surface, and then of the second.
     pub clearing: Reg,
+    pub clearing_second: Reg,
     pub cleared: Reg,
     /// The surface that is drawn.
     pub surface: Reg,
@@ -56,6 +57,7 @@ impl State {
         Self {
             depths,
             clearing: m.reg_reset("clearing", 1, 1),
+            clearing_second: m.reg_reset("clearing_second", 1, 1),
             cleared: m.reg_reset("cleared", SURFACE_BITS + config.place_bits(), 0),
             surface: m.reg_reset("surface", SURFACE_BITS, 0),
             mask: m.reg("mask", TILE_PIXELS),
