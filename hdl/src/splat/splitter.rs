@@ -49,11 +49,14 @@ fn is_beyond(place: Expr) -> Expr {
     place.bits(place.width() - 2, DIAGONAL_BITS).any()
 }
 
-/// When the splitter begins with a splat, goes to the next tile, and whether that is the first one of a row.
+/// When the splitter begins with a splat, goes to the next tile, and whether that is the first one of a row; and what registers take
+/// then, which is known before: what arrives, or the first tile of a row.
 struct Steps {
     take: Expr,
     moves: Expr,
     wraps: Expr,
+    takes_arriving: Expr,
+    takes_row: Expr,
 }
 
 /// Bits of a row that is counted from 16 above the tile, so that those which limits lead to have no sign.
@@ -71,7 +74,7 @@ impl Diagonals {
     /// Registers, found while the splitter comes to the tile: of a splat's first tile from what arrives, of others from what they were for
     /// the tile before, or at the beginning of its row.
     fn new(m: &mut Module, config: &Config, arriving: &SetupSplat<Wires>, steps: &Steps) -> Self {
-        let Steps { take, moves, wraps } = *steps;
+        let Steps { take, moves, wraps, takes_arriving, takes_row } = *steps;
         // One beyond, and a sign.
         let width = config.diagonal_bits() + 2;
         let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
@@ -91,9 +94,11 @@ impl Diagonals {
                 let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
                 let first = limit.zext(width) - origin;
                 let below = below(row_begins.expr());
-                m.next_if(row_begins, take | wraps, take.mux(first, below));
-                let next =
-                    m.wire(&format!("{name}_next"), take.mux(first, wraps.mux(below, here.sub_lit(tile_pixels))));
+                m.next_if(row_begins, take | wraps, takes_arriving.mux(first, below));
+                let next = m.wire(
+                    &format!("{name}_next"),
+                    takes_arriving.mux(first, takes_row.mux(below, here.sub_lit(tile_pixels))),
+                );
                 m.next_if(here, moves, next);
                 held(m, name, moves, within(next))
             };
@@ -163,6 +168,8 @@ struct Walk {
     edges: TileRectangle<Wires>,
     /// The arriving splat touches one tile.
     single: Expr,
+    /// The current tile is its row's last.
+    right_most: Expr,
     /// The next tile begins a row.
     wraps: Expr,
     /// The next tile is the last.
@@ -175,7 +182,7 @@ impl Walk {
         m: &mut Module,
         config: &Config,
         [arriving, bounds]: [&ImageRectangle<Wires>; 2],
-        [take, step]: [Expr; 2],
+        [take, step, takes_arriving]: [Expr; 3],
     ) -> Self {
         let [right_most, bottom_most] = ["right_most", "bottom_most"].map(|name| m.reg(name, 1));
         let wraps = m.wire("wraps", step & right_most);
@@ -192,18 +199,22 @@ impl Walk {
         let stays_one = is_one(bounds.left, bounds.right);
         let reaches_right = m.wire("reaches_right", right_most.mux(stays_one, next_column.eq(tile_of(bounds.right))));
         let reaches_bottom = m.wire("reaches_bottom", next_row.eq(tile_of(bounds.bottom)));
-        m.next_if(column, moves, take.mux(tile_of(arriving.left), right_most.mux(tile_of(bounds.left), next_column)));
-        m.next_if(row, turns, take.mux(tile_of(arriving.top), next_row));
-        m.next_if(right_most, moves, take.mux(one_column, reaches_right));
-        m.next_if(bottom_most, turns, take.mux(one_row, reaches_bottom));
+        m.next_if(
+            column,
+            moves,
+            takes_arriving.mux(tile_of(arriving.left), right_most.mux(tile_of(bounds.left), next_column)),
+        );
+        m.next_if(row, turns, takes_arriving.mux(tile_of(arriving.top), next_row));
+        m.next_if(right_most, moves, takes_arriving.mux(one_column, reaches_right));
+        m.next_if(bottom_most, turns, takes_arriving.mux(one_row, reaches_bottom));
 
         let place = |edge: Expr| edge.trunc(LOCAL_BITS);
         let [own_first, own_last] = [0, TILE_SIZE - 1].map(|pixel| lit(LOCAL_BITS, pixel.into()));
         let last = |is_here: Expr, edge: Expr| is_here.mux(place(edge), own_last);
-        let left = take.mux(place(arriving.left), right_most.mux(place(bounds.left), own_first));
-        let right = take.mux(last(one_column, arriving.right), last(reaches_right, bounds.right));
-        let top = take.mux(place(arriving.top), own_first);
-        let bottom = take.mux(last(one_row, arriving.bottom), last(reaches_bottom, bounds.bottom));
+        let left = takes_arriving.mux(place(arriving.left), right_most.mux(place(bounds.left), own_first));
+        let right = takes_arriving.mux(last(one_column, arriving.right), last(reaches_right, bounds.right));
+        let top = takes_arriving.mux(place(arriving.top), own_first);
+        let bottom = takes_arriving.mux(last(one_row, arriving.bottom), last(reaches_bottom, bounds.bottom));
         let edges = TileRectangle {
             left: held(m, "left", moves, left),
             right: held(m, "right", moves, right),
@@ -211,7 +222,15 @@ impl Walk {
             bottom: held(m, "bottom", turns, bottom),
         };
         let reaches_last = reaches_right & right_most.mux(reaches_bottom, bottom_most.expr());
-        Self { column: *column, row: *row, edges, single: one_column & one_row, wraps, reaches_last }
+        Self {
+            column: *column,
+            row: *row,
+            edges,
+            single: one_column & one_row,
+            right_most: *right_most,
+            wraps,
+            reaches_last,
+        }
     }
 }
 
@@ -240,10 +259,12 @@ pub fn module(config: &Config) -> Module {
 
     let moves = m.wire("moves", take | step);
     m.next(busy, take | (busy & !(step & open)));
-    let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [take, step]);
-    m.next_if(open, moves, take.mux(arriving.end | walk.single, open | walk.reaches_last));
+    let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [take, step, *open]);
+    let arrives = open & input.valid;
+    m.next_if(open, moves, arrives.mux(arriving.end | walk.single, open | walk.reaches_last));
     let edges = walk.edges;
-    let steps = Steps { take, moves, wraps: walk.wraps };
+    // While it is open and none is there, registers may take what they will.
+    let steps = Steps { take, moves, wraps: walk.wraps, takes_arriving: *open, takes_row: walk.right_most };
     let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
     let [tops, bottoms] = diagonals.rows(&edges, config);
     // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
