@@ -35,7 +35,12 @@ pub(super) fn bind(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
                 let others = others.map(|&other| sources(graph, plan, schedule, initiation_interval, other));
                 others.map(|other| wanted.iter().zip(&other).filter(|(a, b)| a == b).count()).sum::<usize>()
             };
-            let free = (first..units.len()).filter(|&unit| units[unit].by_phase[phase].is_none());
+            // Where each has an instance of its own, all phases of it are.
+            let is_free = |unit: &Unit| match description.operand_registers {
+                true => unit.by_phase[phase].is_none(),
+                false => unit.by_phase.iter().all(Option::is_none),
+            };
+            let free = (first..units.len()).filter(|&unit| is_free(&units[unit]));
             let best = free.max_by_key(|&unit| (shared(&units[unit]), std::cmp::Reverse(unit)));
             let best = best.expect("the schedule starts no more operations in a phase than there are instances");
             units[best].by_phase[phase] = Some(index);
@@ -46,12 +51,13 @@ pub(super) fn bind(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
 
 /// Where an operation reads its operands.
 fn sources(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_interval: u32, index: usize) -> Vec<Source> {
-    let operands = graph.nodes()[index].operands.iter();
+    let operands = graph.nodes()[index].operands.iter().enumerate();
     operands
-        .map(|&operand| {
+        .map(|(position, &operand)| {
+            let taken = schedule.start[index] + plan.offset(index, position);
             let held = match plan.of(operand) {
                 Timing::Static { .. } => 0,
-                _ => stages(schedule.start[index] - schedule.available[operand.0], initiation_interval),
+                _ => stages(taken - schedule.available[operand.0], initiation_interval),
             };
             (operand, held)
         })

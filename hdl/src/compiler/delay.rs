@@ -51,7 +51,9 @@ impl Delays {
             }
         };
         for (index, node) in graph.nodes().iter().enumerate() {
-            node.operands.iter().for_each(|&operand| need(operand, schedule.start[index]));
+            for (position, &operand) in node.operands.iter().enumerate() {
+                need(operand, schedule.start[index] + plan.offset(index, position));
+            }
         }
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| need(id, schedule.latency));
 

@@ -12,6 +12,7 @@ use super::labels::labels;
 use super::lower::combinational;
 use super::manifest::{Manifest, OperatorUse};
 use super::operation::Operation;
+use super::operators::OPERAND_PORTS;
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use super::types::Type;
@@ -20,8 +21,6 @@ use output::{Output, Tokens};
 use rtl::{Expr, Instance, Module, bit, lit};
 use std::collections::{BTreeMap, HashMap};
 
-/// Ports of an operator, in the order of an operation's operands.
-const OPERAND_PORTS: [&str; 3] = ["a", "b", "c"];
 /// What a datapath has besides its values.
 const CONTROL: [&str; 7] = ["clk", "rst", "credits", "dropped", "left", "kept", "shown"];
 
@@ -129,7 +128,7 @@ impl Body<'_> {
         if let Operation::Constant(value) = node.operation {
             return lit(width(self.graph, id), value.into());
         }
-        let operands: Vec<Expr> = node.operands.iter().map(|&operand| self.operand(operand, id.0)).collect();
+        let operands: Vec<Expr> = (0..node.operands.len()).map(|position| self.operand(id.0, position)).collect();
         let types: Vec<Type> = node.operands.iter().map(|&operand| self.graph.node(operand).ty).collect();
         let value = combinational(&node.operation, &operands, &types, node.ty);
         let is_wiring = matches!(self.plan.of(id), Timing::Static { levels: 0 } | Timing::Combinational { levels: 0 });
@@ -141,8 +140,9 @@ impl Body<'_> {
     }
 
     /// An operand when the node `user` takes it.
-    fn operand(&self, operand: ValueId, user: usize) -> Expr {
-        self.read(operand, self.schedule.start[user])
+    fn operand(&self, user: usize, position: usize) -> Expr {
+        let operand = self.graph.nodes()[user].operands[position];
+        self.read(operand, self.schedule.start[user] + self.plan.offset(user, position))
     }
 
     /// A value in some cycle of its token.
@@ -160,9 +160,10 @@ impl Body<'_> {
         let mut chooser = self.emitter.chooser(instance.name());
         for (position, port) in OPERAND_PORTS.iter().enumerate().take(count.unwrap_or(0)) {
             let by_phase = unit.by_phase.iter();
-            let sources: Vec<Option<Expr>> = by_phase
-                .map(|slot| slot.map(|index| self.operand(self.graph.nodes()[index].operands[position], index)))
-                .collect();
+            let mut sources: Vec<Option<Expr>> =
+                by_phase.map(|slot| slot.map(|index| self.operand(index, position))).collect();
+            let later = self.emitter.phase_of(class.offset(position));
+            sources.rotate_right(later as usize);
             let mut chosen = chooser.choose(&mut self.emitter, &sources);
             if class.operand_registers {
                 chosen = self.emitter.step(&format!("{}_{port}", instance.name()), chosen);
@@ -188,9 +189,11 @@ impl Body<'_> {
         let delay_memory_bits = self.delays.finish(&mut self.emitter);
         let mut operators: BTreeMap<String, OperatorUse> = BTreeMap::new();
         for class in &self.plan.classes {
-            let total = operators.entry(class.name.clone()).or_default();
-            total.instances += class.instances;
-            total.operations += class.operations;
+            for part in &class.parts {
+                let total = operators.entry(part.clone()).or_default();
+                total.instances += class.instances;
+                total.operations += class.operations;
+            }
         }
         let initiation_interval = self.emitter.initiation_interval();
         let (module, register_bits) = self.emitter.finish();

@@ -117,6 +117,7 @@ const fn noun(operation: &Operation) -> &'static str {
         Operation::Subtract => "difference",
         Operation::Multiply => "product",
         Operation::MultiplyAdd => "product_sum",
+        Operation::Compound(_) => "sum",
         Operation::Divide => "quotient",
         Operation::SquareRoot => "root",
         Operation::Reciprocal | Operation::ReciprocalNewton => "reciprocal",

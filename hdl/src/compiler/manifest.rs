@@ -14,7 +14,7 @@ pub struct Manifest {
     pub latency: u32,
     /// Cycles from one token to the next.
     pub initiation_interval: u32,
-    /// Pipelined operators by kind and format, such as `add.f32`.
+    /// Pipelined operators by kind and format, such as `add.f32`; those within a compound are counted one by one.
     pub operators: BTreeMap<String, OperatorUse>,
     /// Flip-flops that the datapath adds to its operators', up to its end: delays, operand registers, phases and validity.
     pub register_bits: u64,

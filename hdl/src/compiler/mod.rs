@@ -17,6 +17,8 @@
 //! The golden twin of this timing is `pointcore_golden::datapath`.
 
 mod bind;
+mod combine;
+mod compound;
 mod cost;
 mod delay;
 mod emit;
@@ -42,6 +44,7 @@ mod types;
 mod typing;
 mod value;
 
+pub use compound::Compound;
 pub use error::CompileError;
 pub use graph::{Graph, Node, ValueId};
 pub use manifest::{Manifest, OperatorUse};
@@ -138,7 +141,7 @@ pub fn compile_graph(graph: &Graph, options: &Options) -> Result<Datapath, Compi
         let (unit, maximum) = (graph.unit().to_owned(), INITIATION_INTERVAL_MAX);
         return Err(CompileError::InitiationInterval { unit, initiation_interval, maximum });
     }
-    let graph = optimize::optimize(graph);
+    let graph = combine::combine(optimize::optimize(graph), initiation_interval);
     let plan = plan::Plan::new(&graph, initiation_interval, &options.stages);
     let schedule = schedule::schedule(&graph, &plan, initiation_interval);
     let (module, manifest) = emit::emit(&graph, &plan, &schedule, options);

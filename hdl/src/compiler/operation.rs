@@ -1,5 +1,6 @@
 //! What a node of a program computes.
 
+use super::compound::Compound;
 use super::table::Table;
 use super::types::Type;
 use pointcore_contract::{Fixed, Format};
@@ -25,6 +26,8 @@ pub enum Operation {
     Multiply,
     /// `a · b + c` rounded once, floating point.
     MultiplyAdd,
+    /// Some operations one behind the other, each rounded; the compiler makes them where operators are shared.
+    Compound(Compound),
     /// `a / b`, floating point.
     Divide,
     /// `√a`, floating point.
@@ -105,6 +108,7 @@ impl Operation {
             Self::Subtract => "sub",
             Self::Multiply => "mul",
             Self::MultiplyAdd => "fma",
+            Self::Compound(compound) => compound.mnemonic(),
             Self::Divide => "div",
             Self::SquareRoot => "sqrt",
             Self::Reciprocal => "recip",

@@ -30,6 +30,9 @@ impl OperatorStages {
     }
 }
 
+/// Ports of an operator, in the order of an operation's operands.
+pub(super) const OPERAND_PORTS: [&str; 4] = ["a", "b", "c", "d"];
+
 /// Whether the operation has registers inside, given the type of its first operand.
 pub(super) const fn is_pipelined(operation: &Operation, operand: Type) -> bool {
     match operation {
@@ -42,6 +45,7 @@ pub(super) const fn is_pipelined(operation: &Operation, operand: Type) -> bool {
         | Operation::Equal => operand.is_float(),
         Operation::Multiply
         | Operation::MultiplyAdd
+        | Operation::Compound(_)
         | Operation::Divide
         | Operation::SquareRoot
         | Operation::Reciprocal
@@ -54,6 +58,11 @@ pub(super) const fn is_pipelined(operation: &Operation, operand: Type) -> bool {
         | Operation::Interpolate(_) => true,
         _ => false,
     }
+}
+
+/// Whether an operator takes more than the choices of operands in front of it: a comparison, which keeps a bit, does not.
+pub(super) const fn is_worth_sharing(operation: &Operation) -> bool {
+    !matches!(operation, Operation::Less | Operation::LessOrEqual | Operation::Equal)
 }
 
 /// Kind and formats of the operator that carries out an operation.
@@ -75,9 +84,14 @@ pub(super) fn class_name(operation: &Operation, operands: &[Type]) -> String {
 }
 
 /// The operator of an operation on operands of these types, with its own number of stages unless told.
-pub(super) fn operator(operation: &Operation, operands: &[Type], stages: Option<u32>) -> Operator {
-    let Type::Float(format) = operands[0] else { return integer_operator(operation, operands, stages) };
-    let or = |default: u32| stages.unwrap_or(default);
+pub(super) fn operator(operation: &Operation, operands: &[Type], stages: &OperatorStages) -> Operator {
+    let wanted = stages.of(&class_name(operation, operands));
+    let Type::Float(format) = operands[0] else { return integer_operator(operation, operands, wanted) };
+    if let Operation::Compound(compound) = operation {
+        let part = |operation: &Operation| operator(operation, &operands[..2], stages);
+        return compound.operator(format, &part(&Operation::Multiply), &part(&Operation::Add));
+    }
+    let or = |default: u32| wanted.unwrap_or(default);
     match operation {
         Operation::Add => add::module(format, or(add::stages(format))),
         Operation::Multiply => mul::module(format, or(mul::stages(format))),

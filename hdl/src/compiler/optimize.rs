@@ -29,7 +29,7 @@ pub(super) fn optimize(graph: &Graph) -> Graph {
 }
 
 /// Drops nodes that no result depends on. Ports stay: they are the unit's contract.
-fn without_dead_values(graph: &Graph) -> Graph {
+pub(super) fn without_dead_values(graph: &Graph) -> Graph {
     let mut live = vec![false; graph.nodes().len()];
     for id in graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()) {
         live[id.0] = true;

@@ -3,7 +3,7 @@
 use super::cost::{CYCLE_LEVELS, OPERATOR_INPUT_LEVELS, choice_levels, levels};
 use super::graph::{Graph, ValueId};
 use super::operation::Operation;
-use super::operators::{OperatorStages, class_name, is_pipelined, operator};
+use super::operators::{OperatorStages, class_name, is_pipelined, is_worth_sharing, operator};
 use super::types::Type;
 use crate::float::Operator;
 use std::collections::HashMap;
@@ -36,23 +36,45 @@ pub(super) struct Class {
     pub name: String,
     pub operator: Operator,
     pub operations: u32,
+    /// The classes of its operations: its own, or those of a compound's.
+    pub parts: Vec<String>,
     pub instances: u32,
+    /// Whether operations share an instance where the interval allows it.
+    is_shared: bool,
     /// Whether the operands are chosen in a cycle of their own, because operations share an instance.
     pub operand_registers: bool,
     /// Operations that share one instance at most.
     ways: u32,
+    /// From which operand on they are taken how many cycles later.
+    late: (usize, u32),
 }
 
 impl Class {
     fn new(operation: &Operation, operands: &[Type], stages: &OperatorStages) -> Self {
         let name = class_name(operation, operands);
-        let operator = operator(operation, operands, stages.of(&name));
-        Self { name, operator, operations: 0, instances: 0, operand_registers: false, ways: 1 }
+        let parts = match operation {
+            Operation::Compound(compound) => compound.operations().map(|part| class_name(&part, operands)).collect(),
+            _ => vec![name.clone()],
+        };
+        let late = match operation {
+            Operation::Compound(compound) => {
+                (2 * compound.products(), operator(&Operation::Multiply, &operands[..2], stages).latency)
+            }
+            _ => (operands.len(), 0),
+        };
+        let operator = operator(operation, operands, stages);
+        let is_shared = is_worth_sharing(operation);
+        Self { name, operator, parts, operations: 0, instances: 0, is_shared, operand_registers: false, ways: 1, late }
     }
 
     /// Cycles from the operands to the result.
     pub const fn latency(&self) -> u32 {
         self.operator.latency + if self.operand_registers { 1 } else { 0 }
+    }
+
+    /// Cycles after the first operands in which one is taken.
+    pub const fn offset(&self, position: usize) -> u32 {
+        if position < self.late.0 { 0 } else { self.late.1 }
     }
 
     /// Levels left for the operands' own gates in the cycle in which the operator takes them.
@@ -92,7 +114,10 @@ impl Plan {
             plan.timing.push(timing);
         }
         for class in &mut plan.classes {
-            class.instances = class.operations.div_ceil(initiation_interval);
+            class.instances = match class.is_shared {
+                true => class.operations.div_ceil(initiation_interval),
+                false => class.operations,
+            };
             class.ways = class.operations.div_ceil(class.instances);
             class.operand_registers = class.ways > 1;
         }
@@ -111,6 +136,14 @@ impl Plan {
     pub fn latency(&self, index: usize) -> u32 {
         match self.timing[index] {
             Timing::Pipelined { class } => self.classes[class].latency(),
+            Timing::Static { .. } | Timing::Input | Timing::Combinational { .. } => 0,
+        }
+    }
+
+    /// Cycles from a node's start in which it takes an operand.
+    pub fn offset(&self, index: usize, position: usize) -> u32 {
+        match self.timing[index] {
+            Timing::Pipelined { class } => self.classes[class].offset(position),
             Timing::Static { .. } | Timing::Input | Timing::Combinational { .. } => 0,
         }
     }

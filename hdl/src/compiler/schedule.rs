@@ -38,8 +38,8 @@ struct Scheduler<'a> {
     graph: &'a Graph,
     plan: &'a Plan,
     initiation_interval: u32,
-    /// Users of each node's value.
-    users: Vec<Vec<usize>>,
+    /// Users of each node's value, and how many cycles after their start they take it.
+    users: Vec<Vec<(usize, u32)>>,
     /// Whether a node's value leaves the datapath.
     is_result: Vec<bool>,
     start: Vec<u32>,
@@ -55,7 +55,9 @@ impl<'a> Scheduler<'a> {
         let count = graph.nodes().len();
         let mut users = vec![Vec::new(); count];
         for (index, node) in graph.nodes().iter().enumerate() {
-            node.operands.iter().for_each(|operand| users[operand.0].push(index));
+            for (position, operand) in node.operands.iter().enumerate() {
+                users[operand.0].push((index, plan.offset(index, position)));
+            }
         }
         let mut is_result = vec![false; count];
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| is_result[id.0] = true);
@@ -77,21 +79,24 @@ impl<'a> Scheduler<'a> {
         self.start[index] + self.plan.latency(index)
     }
 
-    /// Operands that change from token to token.
-    fn moving_operands(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
-        let operands = self.graph.nodes()[index].operands.iter();
-        operands.filter(|id| !self.plan.is_static(**id)).map(|id| id.0)
+    /// Operands that change from token to token, and how many cycles after the start they are taken.
+    fn moving_operands(&self, index: usize) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let operands = self.graph.nodes()[index].operands.iter().enumerate();
+        let moving = operands.filter(|(_, id)| !self.plan.is_static(**id));
+        moving.map(move |(position, id)| (id.0, self.plan.offset(index, position)))
     }
 
-    /// First cycle in which all operands are there.
+    /// First cycle in which it may start, as all operands are there when they are taken.
     fn operands_available(&self, index: usize) -> u32 {
-        self.moving_operands(index).map(|operand| self.available(operand)).max().unwrap_or(0)
+        let operands = self.moving_operands(index);
+        operands.map(|(operand, offset)| self.available(operand).saturating_sub(offset)).max().unwrap_or(0)
     }
 
     /// How far into `cycle` the node's value is ready, if its operands leave enough of the cycle.
     fn level_at(&self, index: usize, cycle: u32) -> Option<u32> {
-        let fresh = self.moving_operands(index).filter(|&operand| self.available(operand) == cycle);
-        let moving = fresh.map(|operand| self.level[operand]).max().unwrap_or(0);
+        let operands = self.moving_operands(index);
+        let fresh = operands.filter(|&(operand, offset)| self.available(operand) == cycle + offset);
+        let moving = fresh.map(|(operand, _)| self.level[operand]).max().unwrap_or(0);
         let operands = self.graph.nodes()[index].operands.iter();
         let fixed = operands.filter(|id| self.plan.is_static(**id)).map(|id| self.level[id.0]).max().unwrap_or(0);
         let before = moving.max(fixed);
@@ -139,7 +144,8 @@ impl<'a> Scheduler<'a> {
         let count = self.graph.nodes().len();
         let mut distance = vec![0; count];
         for index in (0..count).rev() {
-            let rest = self.users[index].iter().map(|&user| distance[user]).max().unwrap_or(0);
+            let users = self.users[index].iter();
+            let rest = users.map(|&(user, offset)| distance[user] - offset).max().unwrap_or(0);
             distance[index] = rest + self.plan.latency(index);
         }
         // Users are never farther from the end than their operands and come later, so operands are placed first.
@@ -218,7 +224,7 @@ impl<'a> Scheduler<'a> {
 
     /// The first cycle in which something takes the node's value.
     fn first_use(&self, index: usize) -> u32 {
-        let users = self.users[index].iter().map(|&user| self.start[user]);
+        let users = self.users[index].iter().map(|&(user, offset)| self.start[user] + offset);
         users.chain(self.is_result[index].then_some(self.finish)).min().unwrap_or(self.finish)
     }
 
@@ -235,12 +241,13 @@ impl<'a> Scheduler<'a> {
 
     /// Cost of holding the node's value and its operands.
     fn cost_around(&self, index: usize) -> u64 {
-        self.moving_operands(index).chain([index]).map(|value| self.holding_cost(value)).sum()
+        let operands = self.moving_operands(index).map(|(operand, _)| operand);
+        operands.chain([index]).map(|value| self.holding_cost(value)).sum()
     }
 
     /// Cost of holding a value until its last use.
     fn holding_cost(&self, index: usize) -> u64 {
-        let users = self.users[index].iter().map(|&user| self.start[user]);
+        let users = self.users[index].iter().map(|&(user, offset)| self.start[user] + offset);
         let last = users.chain(self.is_result[index].then_some(self.finish)).max().unwrap_or(0);
         let held = stages(last.saturating_sub(self.available(index)), self.initiation_interval);
         let width = u64::from(self.graph.nodes()[index].ty.width());
@@ -252,7 +259,9 @@ impl<'a> Scheduler<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::combine::combine;
     use super::super::cost::CYCLE_LEVELS;
+    use super::super::graph::ValueId;
     use super::super::operators::OperatorStages;
     use super::super::optimize::optimize;
     use super::super::program::Program;
@@ -278,18 +287,19 @@ mod tests {
 
     #[test]
     fn operands_are_there_and_instances_suffice() {
-        let graph = graph();
         for initiation_interval in 1..=7 {
+            let graph = combine(graph(), initiation_interval);
             let plan = Plan::new(&graph, initiation_interval, &OperatorStages::default());
             let schedule = schedule(&graph, &plan, initiation_interval);
             let mut starts = vec![vec![0; initiation_interval as usize]; plan.classes.len()];
             let mut levels = vec![0; graph.nodes().len()];
             for (index, node) in graph.nodes().iter().enumerate() {
                 let start = schedule.start[index];
-                let moving = node.operands.iter().filter(|id| !plan.is_static(**id)).map(|id| id.0);
-                let before = moving.map(|operand| {
-                    assert!(schedule.available[operand] <= start, "node {index} waits for {operand}");
-                    if schedule.available[operand] == start { levels[operand] } else { 0 }
+                let moving = node.operands.iter().enumerate().filter(|(_, id)| !plan.is_static(**id));
+                let before = moving.map(|(position, &ValueId(operand))| {
+                    let taken = start + plan.offset(index, position);
+                    assert!(schedule.available[operand] <= taken, "node {index} waits for {operand}");
+                    if schedule.available[operand] == taken { levels[operand] } else { 0 }
                 });
                 let before = before.max().unwrap_or(0);
                 match plan.timing[index] {
@@ -308,8 +318,8 @@ mod tests {
 
     #[test]
     fn moving_operations_saves_registers_and_no_time() {
-        let graph = graph();
         for initiation_interval in [1, 2, 5] {
+            let graph = combine(graph(), initiation_interval);
             let plan = Plan::new(&graph, initiation_interval, &OperatorStages::default());
             let mut scheduler = Scheduler::new(&graph, &plan, initiation_interval);
             scheduler.place_all();

@@ -23,8 +23,17 @@ pub(super) fn result_type(operation: &Operation, operands: &[Type]) -> Result<Ty
             Operation::MultiplyAdd => all_same(&[a, b, c], Type::is_float, SAME_FLOAT),
             Operation::Mux if a == Type::BOOL => all_same(&[b, c], |_| true, "both choices must have one type"),
             Operation::Mux => Err("the condition must be u1"),
-            _ => Err(OPERAND_COUNT),
+            _ => compound(operation, operands),
         },
+        _ => compound(operation, operands),
+    }
+}
+
+fn compound(operation: &Operation, operands: &[Type]) -> Result<Type, &'static str> {
+    match operation {
+        Operation::Compound(compound) if compound.operands() == operands.len() => {
+            all_same(operands, Type::is_float, SAME_FLOAT)
+        }
         _ => Err(OPERAND_COUNT),
     }
 }

@@ -63,14 +63,58 @@ fn operations_share_operators_as_the_interval_allows() {
         assert_eq!(operators["mul.f32"], OperatorUse { instances: multipliers, operations: 8 }, "interval {interval}");
         assert_eq!(operators["add.f32"], OperatorUse { instances: adders, operations: 7 }, "interval {interval}");
         let design = design(&datapath);
-        let instances = |unit: &str| {
-            let modules = design.modules().iter().filter(|module| module.unit == unit);
-            modules.map(|module| module.instances).sum::<u64>()
-        };
-        assert_eq!(instances("float_mul"), u64::from(multipliers), "interval {interval}");
-        assert_eq!(instances("float_add"), u64::from(adders), "interval {interval}");
+        assert_eq!(instances(&design, "float_mul"), u64::from(multipliers), "interval {interval}");
+        assert_eq!(instances(&design, "float_add"), u64::from(adders), "interval {interval}");
     }
     assert_eq!(transfers(&dot8(), &[1, 2, 5, 8], 100), [100; 4]);
+}
+
+/// Instances of a unit in a design.
+fn instances(design: &Design, unit: &str) -> u64 {
+    design.modules().iter().filter(|module| module.unit == unit).map(|module| module.instances).sum()
+}
+
+#[test]
+fn sums_and_their_products_share_operators() {
+    // Complex products: half of the sums are differences.
+    let p = Program::new("rotation", "Points in the plane, turned.");
+    let [cosine, sine] = ["cosine", "sine"].map(|name| p.input(name, F32));
+    for point in 0..4 {
+        let [x, y] = ["x", "y"].map(|axis| p.input(&format!("{axis}{point}"), F32));
+        p.output(&format!("turned_x{point}"), x * cosine - y * sine);
+        p.output(&format!("turned_y{point}"), x * sine + y * cosine);
+    }
+    let compounds = |program: &Program, interval: u32| {
+        let design = design(&at(program, interval));
+        ["float_mul", "float_add", "float_mul_mul_add", "float_mul_add"].map(|unit| instances(&design, unit))
+    };
+    assert_eq!(compounds(&p, 1), [16, 8, 0, 0]);
+    assert_eq!(compounds(&p, 2), [8, 4, 4, 0]);
+    assert_eq!(compounds(&p, 8), [2, 1, 1, 0]);
+    assert_eq!(transfers(&p, &[2, 3, 8], 200), [200; 3]);
+
+    // A ninth sum would take operators of its own.
+    let p = Program::new("matrices", "Three vectors, each through a matrix.");
+    let vector = |name: &str| -> Vec<Value> { (0..3).map(|axis| p.input(&format!("{name}{axis}"), F32)).collect() };
+    let rows = ["row0_", "row1_", "row2_"].map(vector);
+    for name in ["a", "b", "c"] {
+        let vector = vector(name);
+        for (axis, row) in rows.iter().enumerate() {
+            let products = row.iter().zip(&vector).map(|(&left, &right)| left * right);
+            p.output(&format!("turned_{name}{axis}"), products.reduce(|sum, product| sum + product).expect("three"));
+        }
+    }
+    assert_eq!(compounds(&p, 8), [4, 3, 1, 1]);
+    assert_eq!(transfers(&p, &[2, 5, 8], 200), [200; 3]);
+
+    // A product that is shown as well is not its sum's alone.
+    let p = Program::new("shown", "Sums, and one of each one's products.");
+    for term in 0..2 {
+        let [a, b, c] = ["a", "b", "c"].map(|name| p.input(&format!("{name}{term}"), F32));
+        p.output(&format!("product{term}"), a * b);
+        p.output(&format!("sum{term}"), a * b + c);
+    }
+    assert_eq!(compounds(&p, 2), [1, 1, 0, 0]);
 }
 
 #[test]
