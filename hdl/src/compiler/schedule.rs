@@ -144,8 +144,7 @@ impl<'a> Scheduler<'a> {
         let count = self.graph.nodes().len();
         let mut distance = vec![0; count];
         for index in (0..count).rev() {
-            let users = self.users[index].iter();
-            let rest = users.map(|&(user, offset)| distance[user] - offset).max().unwrap_or(0);
+            let rest = self.users[index].iter().map(|&(user, _)| distance[user]).max().unwrap_or(0);
             distance[index] = rest + self.plan.latency(index);
         }
         // Users are never farther from the end than their operands and come later, so operands are placed first.

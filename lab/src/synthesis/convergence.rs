@@ -1,12 +1,15 @@
 //! Whether a router will come to an end, by what it says on its way.
 //!
-//! nextpnr's negotiating router counts in each iteration the wires that are used more than once. They become fewer, or the router
-//! goes on for ever. It is given up if the fewest were [`RISING_ITERATIONS`] iterations ago or more and there are more than
-//! [`RISEN`] times as many now, and as [`FEW`]; or if they were [`STANDING_ITERATIONS`] ago. The other router, which rips up and
-//! routes again one wire after the other, counts none, and is never given up.
+//! nextpnr's usual router gives one arc after the other a way, and rips up others for it; it counts the arcs that have none. It is given
+//! up if the fewest were [`RIPPING_ITERATIONS`] ago. Its other router negotiates, and counts in each iteration the wires that are
+//! used more than once. They become fewer, or the router goes on for ever. It is given up if the fewest were [`RISING_ITERATIONS`]
+//! iterations ago or more and there are more than [`RISEN`] times as many now, and as [`FEW`]; or if they were
+//! [`STANDING_ITERATIONS`] ago.
 
 use std::fmt;
 
+/// So long a router that rips up goes on without fewer arcs left, an arc in each: a third of those of a whole core.
+const RIPPING_ITERATIONS: u32 = 100_000;
 /// So long a router that converges rises no higher than [`RISEN`] times the fewest.
 const RISING_ITERATIONS: u32 = 16;
 /// See there.
@@ -21,8 +24,8 @@ const STANDING_ITERATIONS: u32 = 200;
 pub struct Iteration {
     /// Its number, from one.
     pub number: u32,
-    /// Wires that are used more than once after it.
-    pub overused: u32,
+    /// Wires that have no way of their own after it.
+    pub left: u32,
 }
 
 /// A router that does not converge.
@@ -30,34 +33,49 @@ pub struct Iteration {
 pub struct Divergence {
     /// The last iteration.
     pub last: Iteration,
-    /// The first of those after which the fewest wires were overused.
+    /// The first of those after which the fewest wires were left.
     pub best: Iteration,
 }
 
 impl fmt::Display for Divergence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { last, best } = self;
-        let [(last, now), (best, then)] = [last, best].map(|iteration| (iteration.number, iteration.overused));
-        write!(f, "after iteration {last} of the router {now} wires are overused, after iteration {best} {then} were")
+        let [(last, now), (best, then)] = [last, best].map(|iteration| (iteration.number, iteration.left));
+        write!(
+            f,
+            "after iteration {last} of the router {now} wires have no way of their own, after iteration {best} {then} had none"
+        )
     }
 }
 
 impl Iteration {
-    /// Reads a line of the log.
-    fn parse(line: &str) -> Option<Self> {
+    /// Reads a line of the negotiating router's log.
+    fn negotiating(line: &str) -> Option<Self> {
         let number = |name: &str| line.split_whitespace().find_map(|word| word.strip_prefix(name)?.parse().ok());
-        Some(Self { number: number("iter=")?, overused: number("overused=")? })
+        Some(Self { number: number("iter=")?, left: number("overused=")? })
+    }
+
+    /// Reads a line of the other's, a row of a table.
+    fn ripping(line: &str) -> Option<Self> {
+        let mut columns = line.strip_prefix("Info:")?.split('|').map(str::trim);
+        Some(Self { number: columns.next()?.parse().ok()?, left: columns.nth(2)?.parse().ok()? })
     }
 }
 
 /// Whether the router whose log this is so far goes on for ever.
 pub(super) fn divergence(log: &str) -> Option<Divergence> {
-    let iterations: Vec<Iteration> = log.lines().filter_map(Iteration::parse).collect();
-    let last = *iterations.last()?;
-    let best = *iterations.iter().min_by_key(|iteration| iteration.overused)?;
-    let since = last.number.saturating_sub(best.number);
-    let rises = since >= RISING_ITERATIONS && last.overused > RISEN * best.overused.max(FEW);
-    (rises || since >= STANDING_ITERATIONS).then_some(Divergence { last, best })
+    let so_far = |parse: fn(&str) -> Option<Iteration>| {
+        let iterations: Vec<Iteration> = log.lines().filter_map(parse).collect();
+        let last = *iterations.last()?;
+        let best = *iterations.iter().min_by_key(|iteration| iteration.left)?;
+        Some((Divergence { last, best }, last.number.saturating_sub(best.number)))
+    };
+    let negotiating = so_far(Iteration::negotiating).filter(|(Divergence { last, best }, since)| {
+        let rises = *since >= RISING_ITERATIONS && last.left > RISEN * best.left.max(FEW);
+        rises || *since >= STANDING_ITERATIONS
+    });
+    let ripping = so_far(Iteration::ripping).filter(|(_, since)| *since >= RIPPING_ITERATIONS);
+    negotiating.or(ripping).map(|(divergence, _)| divergence)
 }
 
 #[cfg(test)]
@@ -83,8 +101,8 @@ mod tests {
 
     #[test]
     fn a_router_that_comes_to_its_end_is_left_alone() {
-        let last = RECORDED.lines().filter_map(Iteration::parse).next_back();
-        assert_eq!(last, Some(Iteration { number: 11, overused: 0 }));
+        let last = RECORDED.lines().filter_map(Iteration::negotiating).next_back();
+        assert_eq!(last, Some(Iteration { number: 11, left: 0 }));
         for end in 0..RECORDED.lines().count() {
             let begin: Vec<&str> = RECORDED.lines().take(end).collect();
             assert_eq!(divergence(&begin.join("\n")), None, "after {end} lines");
@@ -101,8 +119,8 @@ mod tests {
         let given_up = |count| divergence(&log(falling.clone().chain(rising(count))));
         assert_eq!(given_up(RISING_ITERATIONS - 1), None);
         let divergence = given_up(RISING_ITERATIONS).expect("it rises");
-        assert_eq!(divergence.best, Iteration { number: 25, overused: 2_000 });
-        assert_eq!(divergence.last, Iteration { number: 41, overused: 18_800 });
+        assert_eq!(divergence.best, Iteration { number: 25, left: 2_000 });
+        assert_eq!(divergence.last, Iteration { number: 41, left: 18_800 });
         assert!(divergence.to_string().contains("iteration 41 of the router 18800 wires"), "{divergence}");
     }
 
@@ -117,5 +135,20 @@ mod tests {
         let standing = |count: u32| divergence(&log([60, 9, 3].into_iter().chain((0..count).map(|_| 3))));
         assert_eq!(standing(STANDING_ITERATIONS - 1), None);
         assert_eq!(standing(STANDING_ITERATIONS).map(|divergence| divergence.best.number), Some(3));
+    }
+
+    #[test]
+    fn a_router_that_rips_up_is_given_up_when_it_gets_no_further() {
+        let row = |(number, left): (u32, u32)| {
+            format!("Info: {number:>10} |{number:>9} {number:>10} |  115   743 |{left:>10}|       1.28     310.62|\n")
+        };
+        let falling = (1..230).map(|step| (1000 * step, 233_000 - 1000 * step));
+        let standing = |rows: u32| (1..=rows).map(|step| (230_000 + 1000 * step, 3000 + step % 3));
+        let log = |rows| falling.clone().chain(standing(rows)).map(row).collect::<String>();
+        assert_eq!(Iteration::ripping(&row((5000, 12))), Some(Iteration { number: 5000, left: 12 }));
+        let rows = RIPPING_ITERATIONS / 1000;
+        assert_eq!(divergence(&log(rows + 2)), None, "it came to fewer in its third row");
+        let divergence = divergence(&log(rows + 3)).expect("it stands still");
+        assert_eq!(divergence.best, Iteration { number: 233_000, left: 3000 });
     }
 }

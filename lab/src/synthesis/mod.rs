@@ -38,7 +38,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use steps::watched;
-use target::{Device, routing_settings};
+use target::Device;
 use tools::Ending;
 pub(crate) use tools::Tool;
 
@@ -139,19 +139,22 @@ impl Synthesizer {
         progress: StepListener<'_>,
     ) -> Result<Timing, SynthesisError> {
         let begin = Instant::now();
-        let run = |(start, start_key): &(PathBuf, String), netlist: &str, arguments: &[&str], options: &[&str]| {
+        let arguments: Vec<&str> = device.arguments(unit.scope).collect();
+        let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
             let text = seed.to_string();
             let parts = [start_key.as_str(), &router.description, &text];
-            let key = key(parts.into_iter().chain(arguments.iter().copied()).chain(options.iter().copied()));
+            let key = key(parts.into_iter().chain(arguments.iter().chain(options).copied()));
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
-                if netlist == PLACED {
-                    write(&copy, &with_settings(unit.scope, &read(&start.join(netlist))?))?;
+                if options == ROUTE_OTHERWISE {
+                    // What a placed design says of its router outweighs the argument.
+                    let design = read(&start.join(netlist))?;
+                    write(&copy, &design.replacen(USUAL_ROUTER, OTHER_ROUTER, 1))?;
                 } else {
                     fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 }
                 let files = ["--seed", &text, "--json", netlist, "--report", TIMING, "--log", ROUTING];
-                let arguments = [&["-q", "--timing-allow-fail"], &files[..], arguments, options].concat();
+                let arguments = [&["-q", "--timing-allow-fail"], &files[..], &arguments, options].concat();
                 let log = content.join(ROUTING);
                 let diverges = || convergence::divergence(&fs::read_to_string(&log).unwrap_or_default());
                 if let Ending::Stopped(divergence) = router.run_while(&unit.name, content, &arguments, diverges)? {
@@ -161,37 +164,23 @@ impl Synthesizer {
             })?;
             Ok::<_, SynthesisError>((entry, key))
         };
-        let arguments: Vec<&str> = device.arguments(unit.scope).collect();
-        let placed = match unit.scope {
-            Scope::Unit => None,
+        let routed = match unit.scope {
+            Scope::Unit => run(synthesis, NETLIST, &[]),
             Scope::Core(_) => {
-                let placed = run(synthesis, NETLIST, &arguments, &["--no-route", "--write", PLACED])?;
-                let key = key([placed.1.as_str(), &with_settings(unit.scope, SETTINGS)]);
-                Some((placed.0, key))
+                let placed = run(synthesis, NETLIST, PLACE)?;
+                match run(&placed, PLACED, ROUTE) {
+                    Err(SynthesisError::Unroutable { divergence, .. }) => {
+                        let state = State::Diverged(divergence);
+                        progress(&Step { unit: &unit.name, seed: Some(seed), duration: begin.elapsed(), state });
+                        run(&placed, PLACED, ROUTE_OTHERWISE)
+                    }
+                    result => result,
+                }
             }
-        };
-        let routed = |arguments: &[&str]| match &placed {
-            None => run(synthesis, NETLIST, arguments, &[]),
-            Some(placed) => run(placed, PLACED, arguments, &["--no-pack", "--no-place"]),
-        };
-        let routed = match routed(&arguments) {
-            Err(SynthesisError::Unroutable { divergence, .. }) => {
-                let state = State::Diverged(divergence);
-                progress(&Step { unit: &unit.name, seed: Some(seed), duration: begin.elapsed(), state });
-                routed(&target::with_other_router(&arguments))
-            }
-            result => result,
         };
         timing::parse(&read(&routed?.0.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
-}
-
-/// A placed design with the router's settings among its own.
-fn with_settings(scope: Scope, design: &str) -> String {
-    let settings: String =
-        routing_settings(scope).iter().map(|(key, value)| format!("\n\"{key}\": \"{value}\",")).collect();
-    design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 
 /// A unit in its shell. Its Verilog has no comments: what explains the hardware does not age what was measured of it.
@@ -215,19 +204,25 @@ pub fn source_hash(target: Target, unit: &MeasuredUnit) -> Result<String, Synthe
     let design = design(unit)?;
     let script = target.script(&design);
     let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.scope)).collect();
-    let settings = with_settings(unit.scope, SETTINGS);
-    let settings = (target.device().is_some() && settings != SETTINGS).then_some(settings.as_str());
-    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments).chain(settings)))
+    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments)))
 }
 
 /// What yosys counts.
 const CELLS: &str = "cells.json";
 /// What yosys hands to place and route.
 const NETLIST: &str = "netlist.json";
-/// Where a placed design has its settings.
-const SETTINGS: &str = "\"settings\": {";
 /// What placing hands to routing.
 const PLACED: &str = "placed.json";
+/// Arguments of place and route for the steps of a core.
+const PLACE: &[&str] = &["--no-route", "--write", PLACED];
+/// See there.
+const ROUTE: &[&str] = &["--no-pack", "--no-place"];
+/// See there: where the usual router gets nowhere.
+const ROUTE_OTHERWISE: &[&str] = &["--no-pack", "--no-place", "--router", "router2"];
+/// How a placed design names its router.
+const USUAL_ROUTER: &str = r#""router": "router1""#;
+/// See there.
+const OTHER_ROUTER: &str = r#""router": "router2""#;
 /// What place and route say on their way; a whole core takes them most of an hour.
 const ROUTING: &str = "route.log";
 /// What place and route report.
@@ -256,21 +251,6 @@ fn write(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore::package::place_and_route::Crowding;
-
-    #[test]
-    fn a_placed_design_gets_the_routers_settings_once() {
-        let design = with_settings(
-            Scope::Core(Crowding::Crowded),
-            r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#,
-        );
-        let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
-        let settings = &design["a"]["settings"];
-        // What could be a word of bits ends in a space.
-        assert_eq!([&settings["router2/bbMargin/x"], &settings["router2/histCongWeight"]], ["10 ", "1.5"]);
-        assert_eq!(settings["seed"], "1");
-        assert_eq!(design["a"]["b"]["settings"], serde_json::json!({}));
-    }
 
     #[test]
     fn what_a_device_cannot_hold_is_said_before_it_is_placed() {

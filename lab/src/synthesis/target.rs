@@ -2,29 +2,13 @@
 
 use super::area::DeviceArea;
 use super::units::Scope;
-use pointcore::package::place_and_route::{self, Crowding};
+use pointcore::package::place_and_route;
 use pointcore::package::shell::Shelled;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
-/// How a crowded core is routed. A wire may leave the rectangle of its pins by ten tiles: with nextpnr's own three, the last hundred
-/// wires of a full device find no way around. What a wire costs grows by what it was shared so far, and hardly by the round: with
-/// nextpnr's own weights more wires are shared in late rounds than before.
-const NEGOTIATED: &[(&str, &str)] = &[
-    ("router2/bbMargin/x", "10 "),
-    ("router2/bbMargin/y", "10 "),
-    ("router2/initCurrCongWeight", "2.0"),
-    ("router2/histCongWeight", "1.5"),
-    ("router2/currCongWeightMult", "0.3"),
-];
-
-/// The router that negotiates, and the one that nextpnr takes unless it is told.
-const NEGOTIATING: &str = "router2";
-/// See there.
-const OTHER: &str = "router1";
-
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -100,25 +84,6 @@ impl Device {
     }
 }
 
-/// Arguments of place and route, with nextpnr's other router.
-pub(super) fn with_other_router<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
-    let mut others = arguments.to_vec();
-    match others.iter().position(|&argument| argument == NEGOTIATING) {
-        Some(place) => others[place] = OTHER,
-        None => others.extend(["--router", NEGOTIATING]),
-    }
-    others
-}
-
-/// What the router has no argument for, as settings of a placed core, in nextpnr's writing: a number that could be a word of bits ends
-/// in a space.
-pub(super) const fn routing_settings(scope: Scope) -> &'static [(&'static str, &'static str)] {
-    match scope {
-        Scope::Unit | Scope::Core(Crowding::Roomy) => &[],
-        Scope::Core(Crowding::Crowded) => NEGOTIATED,
-    }
-}
-
 impl Target {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Ecp5, Self::Ice40, Self::Xilinx7, Self::Gates];
@@ -167,21 +132,5 @@ impl Target {
             );
         }
         script
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_other_router_is_the_other_one() {
-        let device = Target::Ecp5.device().expect("an ECP5 is placed and routed");
-        for (scope, other) in [(Scope::Core(Crowding::Crowded), OTHER), (Scope::Core(Crowding::Roomy), NEGOTIATING)] {
-            let own: Vec<&str> = device.arguments(scope).collect();
-            let others = with_other_router(&own);
-            let place = others.iter().position(|&argument| argument == "--router").expect("it is said");
-            assert_eq!(others[place + 1], other);
-        }
     }
 }

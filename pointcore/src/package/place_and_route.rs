@@ -4,12 +4,11 @@ use crate::configuration::Configuration;
 
 /// The device, with pins for everybody.
 pub const ECP5: &[&str] = &["--85k", "--speed", "6", "--package", "CABGA756", "--lpf-allow-unconstrained"];
-/// A core has room, and its router knows of time.
+/// A core has room, and its placer knows of time.
 const ROOMY: &[&str] = &["--freq", "100"];
-/// In a crowded core what counts first is that all wires find a way: the placer whose wires are a third shorter than those of
-/// nextpnr's usual one, and the router that negotiates, with weights under which a wire that was shared for long costs more than one
-/// that is shared now.
-const CROWDED: &[&str] = &["--freq", "100", "--placer", "static", "--router", "router2", "--router2-alt-weights"];
+/// In a crowded core what counts first is that all wires find a way: they do from the places of nextpnr's static placer, with which they
+/// are a third shorter than with its usual one.
+const CROWDED: &[&str] = &["--freq", "100", "--placer", "static"];
 
 /// How hard it is to find a way for all wires of a core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
