@@ -3453,7 +3453,7 @@ module splat_tile_cache (
     reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [9:0] head_splat;  // Place of its splat's payload.
-    reg clearing;
+    reg clearing, clearing_second;
     reg [12:0] cleared;
     reg surface;
     reg [63:0] mask;
@@ -3522,6 +3522,8 @@ module splat_tile_cache (
     wire write_queue_in_ready;
     wire [218:0] write_queue_out_data;
 
+    wire frame_is_whole = arrived & arrived_end;
+    wire full_either = clearing | (clearing_second & (arriving_surface | frame_is_whole));
     wire [63:0] mask_that_comes = {64{comes}} & mask;
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
     wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
@@ -3548,6 +3550,8 @@ module splat_tile_cache (
     wire may_fill = moving & may_fill_either & (~filling | fills);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
+    wire word_is_cleared_both = clearing_second & ~(changed | frame_leaves | (arrived | forgets));
+    wire word_is_cleared = clearing | word_is_cleared_both;
     wire may_leave = |seen_mask & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
     wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
@@ -3627,6 +3631,7 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[29:26];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[25:22];
     wire [9:0] in_queue_out_splat = in_queue_out_data[9:0];
+    wire [12:0] cleared_plus_1 = cleared + 13'd1;
     wire start = misses & (~any_wanted & ~sends);
     wire goes_either = (~next & resident_0) | (next & resident_1);
     wire vacate = end_waits & (goes_either & next_idle);
@@ -3740,7 +3745,6 @@ module splat_tile_cache (
     wire [1:0] seen_stays_bits = {resident_0 & (tile_0 == looked_at), resident_1 & (tile_1 == looked_at)};
     wire seen_stays_either = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
     wire seen_stays_either_2 = seen_stays_either | (goes & end_waits_either_2 & (goes_tile == looked_at));
-    wire frame_is_whole = arrived & arrived_end;
     wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
     wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
     wire overtaken_or_overtaken_both_2 = overtaken | overtaken_both_2;
@@ -3756,7 +3760,7 @@ module splat_tile_cache (
         pixel_attribute_2
     } = pixel_queue_out_data;
     assign slot_ready = {ready_1, ready_0};
-    assign full = clearing | (whole_frames[1] | (whole_frames[0] & frame_is_given));
+    assign full = full_either | (whole_frames[1] | (whole_frames[0] & frame_is_given));
     assign change_valid = |unchanged;
     assign change_slot = slot;
     assign change_banks = unchanged;
@@ -3774,17 +3778,17 @@ module splat_tile_cache (
     assign fill_slot = slot;
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
-        .clk(clk), .write(mask_is_kept | clearing | sends),
-        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
+        .clk(clk), .write(mask_is_kept | word_is_cleared | sends),
+        .write_address(word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
         .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
         .read_data(stored_mask)
     );
 
     memory_1w1r_unordered #(.WIDTH(11), .DEPTH(8192)) last_copies (
-        .clk(clk), .write(clearing | (copy_enters | forgets)),
-        .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
-        .write_data({copy_enters & ~clearing, arrived_splat}),
+        .clk(clk), .write(word_is_cleared | (copy_enters | forgets)),
+        .write_address(word_is_cleared ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
+        .write_data({copy_enters & ~word_is_cleared, arrived_splat}),
         .read(1'd1),
         .read_address(look_is_read_both ? {surface, in_queue_out_tile} : stored_masks_address_bits),
         .read_data(last_copy)
@@ -3848,6 +3852,7 @@ module splat_tile_cache (
         if (rst) begin
             head_valid <= 1'd0;
             clearing <= 1'd1;
+            clearing_second <= 1'd1;
             cleared <= 13'd0;
             surface <= 1'd0;
             looking <= 1'd0;
@@ -3893,7 +3898,7 @@ module splat_tile_cache (
             forgets <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~(send | switches) : in_queue_out_valid;
-            clearing <= clearing & ~(&cleared);
+            clearing <= clearing & ~cleared_plus_1[12];
             surface <= surface ^ switches;
             looking <= job_starts;
             unchanged <= still_unchanged | {2{looking}};
@@ -3921,7 +3926,8 @@ module splat_tile_cache (
             looked_up <= look_is_read_both & ~in_queue_out_end;
             compared <= looked_up;
             forgets <= last_reached | forgets_both;
-            if (clearing) cleared <= cleared + 13'd1;
+            if (word_is_cleared & &cleared) clearing_second <= 1'd0;
+            if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
                 wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
@@ -6315,21 +6321,23 @@ module splat_splitter (
     wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
     wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
     wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
-    wire [11:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] first_sum_next_choice = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] first_sum_next = open ? first_sum_row_begins_difference : first_sum_next_choice;
     wire [11:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
     wire [11:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 12'd8;
-    wire [11:0] last_sum_next = take ? last_sum_row_begins_difference : wraps ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_sum_next_choice = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_sum_next = open ? last_sum_row_begins_difference : last_sum_next_choice;
     wire [3:0] last_sum_choice = (|last_sum_next[10:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
     wire [11:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
     wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
     wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
-    wire [11:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
-    wire [11:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
+    wire [11:0] first_difference_next_choice = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] first_difference_next = open ? first_difference_row_begins_difference : first_difference_next_choice;
     wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
     wire [11:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
     wire [11:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 12'd8;
-    wire [11:0] last_difference_next_choice = wraps ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
-    wire [11:0] last_difference_next = take ? last_difference_row_begins_difference : last_difference_next_choice;
+    wire [11:0] last_difference_next_choice = right_most ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
+    wire [11:0] last_difference_next = open ? last_difference_row_begins_difference : last_difference_next_choice;
     wire [3:0] last_difference_choice = (|last_difference_next[10:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
 
     assign in_ready = ready;
@@ -6360,7 +6368,9 @@ module splat_splitter (
             open <= 1'd1;
         end else begin
             busy <= take | (busy & ~(step & open));
-            if (moves) open <= take ? (in_end | (one_column & one_row)) : open_either;
+            if (moves) begin
+                open <= (open & in_valid) ? (in_end | (one_column & one_row)) : open_either;
+            end
         end
     end
     always @(posedge clk) begin
@@ -6392,10 +6402,10 @@ module splat_splitter (
             splat_bottom <= in_bottom;
         end
         if (moves) begin
-            right_most <= take ? one_column : reaches_right;
-            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
-            left <= take ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
-            right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
+            right_most <= open ? one_column : reaches_right;
+            column <= open ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
+            left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
+            right <= open ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
             first_sum_here <= first_sum_next;
             first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
             last_sum_here <= last_sum_next;
@@ -6406,14 +6416,14 @@ module splat_splitter (
             last_difference <= {last_difference_next[11], {4{last_difference_next[11]}} | last_difference_choice};
         end
         if (take_or_wraps) begin
-            bottom_most <= take ? one_row : reaches_bottom;
-            row <= take ? in_top[8:3] : row_plus_1;
-            top <= take ? in_top[2:0] : 3'd0;
-            bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
-            first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            last_sum_row_begins <= take ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
-            first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            last_difference_row_begins <= take ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
+            bottom_most <= open ? one_row : reaches_bottom;
+            row <= open ? in_top[8:3] : row_plus_1;
+            top <= open ? in_top[2:0] : 3'd0;
+            bottom <= open ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
+            first_sum_row_begins <= open ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
+            last_sum_row_begins <= open ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
+            first_difference_row_begins <= open ? first_difference_row_begins_difference : first_difference_row_begins_sum;
+            last_difference_row_begins <= open ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
         end
         first <= take | (first & ~push);
     end
@@ -6447,7 +6457,7 @@ module stream_half_buffer_w365 (
 endmodule
 
 // Footprint, depth band and bounding octagon of a splat.
-// latency = 174
+// latency = 171
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
@@ -6508,142 +6518,147 @@ module splat_setup (
     output wire [9:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_0 [0:3];
-    (* ram_style = "distributed" *)
     reg [23:0] delay_7_from_0 [0:5];
-    (* ram_style = "distributed" *)
-    reg delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
     reg [23:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_11_from_0 [0:9];
+    reg delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
-    reg delay_14_from_0 [0:12];
+    reg delay_21_from_0 [0:19];
     (* ram_style = "distributed" *)
-    reg [36:0] delay_22_from_0 [0:20];
+    reg [35:0] delay_22_from_0 [0:20];
     (* ram_style = "distributed" *)
     reg [8:0] delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_6_from_1 [0:4];
+    reg [23:0] delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_9_from_1 [0:7];
+    reg delay_7_from_1 [0:5];
     (* ram_style = "distributed" *)
-    reg delay_11_from_1 [0:9];
+    reg [1:0] delay_11_from_1 [0:9];
     (* ram_style = "distributed" *)
-    reg [15:0] delay_10_from_2 [0:8];
+    reg [23:0] delay_6_from_2 [0:4];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_11_from_2 [0:9];
+    reg [47:0] delay_7_from_2 [0:5];
     (* ram_style = "distributed" *)
-    reg delay_19_from_2 [0:17];
+    reg [51:0] delay_10_from_3 [0:8];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_3 [0:5];
+    reg delay_11_from_3 [0:9];
     (* ram_style = "distributed" *)
-    reg [10:0] delay_5_from_4 [0:3];
+    reg delay_12_from_3 [0:10];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_7_from_4 [0:5];
+    reg [53:0] delay_14_from_3 [0:12];
     (* ram_style = "distributed" *)
-    reg [49:0] delay_9_from_4 [0:7];
+    reg delay_8_from_4 [0:6];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_11_from_4 [0:9];
+    reg [23:0] delay_6_from_5 [0:4];
     (* ram_style = "distributed" *)
-    reg [32:0] delay_5_from_5 [0:3];
+    reg [23:0] delay_7_from_5 [0:5];
     (* ram_style = "distributed" *)
-    reg delay_7_from_5 [0:5];
+    reg [10:0] delay_8_from_5 [0:6];
     (* ram_style = "distributed" *)
-    reg delay_8_from_5 [0:6];
+    reg [93:0] delay_9_from_5 [0:7];
     (* ram_style = "distributed" *)
-    reg [19:0] delay_10_from_5 [0:8];
+    reg [64:0] delay_11_from_5 [0:9];
     (* ram_style = "distributed" *)
-    reg [36:0] delay_11_from_5 [0:9];
+    reg [56:0] delay_5_from_6 [0:3];
     (* ram_style = "distributed" *)
-    reg [53:0] delay_14_from_5 [0:12];
+    reg delay_6_from_6 [0:4];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_8_from_6 [0:6];
+    reg delay_7_from_6 [0:5];
     (* ram_style = "distributed" *)
-    reg delay_9_from_6 [0:7];
+    reg [10:0] delay_8_from_6 [0:6];
     (* ram_style = "distributed" *)
-    reg [25:0] delay_10_from_6 [0:8];
+    reg [36:0] delay_9_from_6 [0:7];
     (* ram_style = "distributed" *)
-    reg [26:0] delay_11_from_6 [0:9];
+    reg [4:0] delay_10_from_6 [0:8];
     (* ram_style = "distributed" *)
-    reg [2:0] delay_12_from_6 [0:10];
+    reg [32:0] delay_11_from_6 [0:9];
     (* ram_style = "distributed" *)
-    reg [21:0] delay_8_from_7 [0:6];
+    reg delay_14_from_6 [0:12];
     (* ram_style = "distributed" *)
-    reg [57:0] delay_9_from_7 [0:7];
+    reg [23:0] delay_9_from_7 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_13_from_7 [0:11];
+    reg [15:0] delay_10_from_7 [0:8];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_11_from_7 [0:9];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_7 [0:10];
+    (* ram_style = "distributed" *)
+    reg delay_19_from_7 [0:17];
     reg [5:0] credits;
     reg [7:0] phases_1;
-    reg [1:0] delay_5_from_0_pointer;
-    reg [23:0] delay_5_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
     reg [23:0] delay_7_from_0_out;
-    reg [2:0] delay_8_from_0_pointer;
-    reg delay_8_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [23:0] delay_9_from_0_out;
-    reg [3:0] delay_11_from_0_pointer;
-    reg [1:0] delay_11_from_0_out;
-    reg [3:0] delay_14_from_0_pointer;
-    reg delay_14_from_0_out;
-    reg [7:0] phases_2;
+    reg [3:0] delay_12_from_0_pointer;
+    reg delay_12_from_0_out;
+    reg [4:0] delay_21_from_0_pointer;
+    reg delay_21_from_0_out;
     reg [4:0] delay_22_from_0_pointer;
-    reg [36:0] delay_22_from_0_out;
+    reg [35:0] delay_22_from_0_out;
     reg [1:0] delay_5_from_1_pointer;
     reg [8:0] delay_5_from_1_out;
     reg [2:0] delay_6_from_1_pointer;
-    reg [24:0] delay_6_from_1_out;
-    reg [2:0] delay_9_from_1_pointer;
-    reg [47:0] delay_9_from_1_out;
+    reg [23:0] delay_6_from_1_out;
+    reg [2:0] delay_7_from_1_pointer;
+    reg delay_7_from_1_out;
     reg [3:0] delay_11_from_1_pointer;
-    reg delay_11_from_1_out;
-    reg [3:0] delay_10_from_2_pointer;
-    reg [15:0] delay_10_from_2_out;
-    reg [3:0] delay_11_from_2_pointer;
-    reg [1:0] delay_11_from_2_out;
-    reg [4:0] delay_19_from_2_pointer;
-    reg delay_19_from_2_out;
-    reg [2:0] delay_7_from_3_pointer;
-    reg [23:0] delay_7_from_3_out;
-    reg [1:0] delay_5_from_4_pointer;
-    reg [10:0] delay_5_from_4_out;
-    reg [2:0] delay_7_from_4_pointer;
-    reg [47:0] delay_7_from_4_out;
-    reg [2:0] delay_9_from_4_pointer;
-    reg [49:0] delay_9_from_4_out;
-    reg [3:0] delay_11_from_4_pointer;
-    reg [63:0] delay_11_from_4_out;
-    reg [1:0] delay_5_from_5_pointer;
-    reg [32:0] delay_5_from_5_out;
+    reg [1:0] delay_11_from_1_out;
+    reg [2:0] delay_6_from_2_pointer;
+    reg [23:0] delay_6_from_2_out;
+    reg [2:0] delay_7_from_2_pointer;
+    reg [47:0] delay_7_from_2_out;
+    reg [3:0] delay_10_from_3_pointer;
+    reg [51:0] delay_10_from_3_out;
+    reg [3:0] delay_11_from_3_pointer;
+    reg delay_11_from_3_out;
+    reg [3:0] delay_12_from_3_pointer;
+    reg delay_12_from_3_out;
+    reg [3:0] delay_14_from_3_pointer;
+    reg [53:0] delay_14_from_3_out;
+    reg [2:0] delay_8_from_4_pointer;
+    reg delay_8_from_4_out;
+    reg [2:0] delay_6_from_5_pointer;
+    reg [23:0] delay_6_from_5_out;
     reg [2:0] delay_7_from_5_pointer;
-    reg delay_7_from_5_out;
+    reg [23:0] delay_7_from_5_out;
     reg [2:0] delay_8_from_5_pointer;
-    reg delay_8_from_5_out;
-    reg [3:0] delay_10_from_5_pointer;
-    reg [19:0] delay_10_from_5_out;
-    reg [3:0] delay_11_from_5_pointer;
-    reg [36:0] delay_11_from_5_out;
-    reg [3:0] delay_14_from_5_pointer;
-    reg [53:0] delay_14_from_5_out;
-    reg [2:0] delay_8_from_6_pointer;
-    reg [1:0] delay_8_from_6_out;
-    reg [2:0] delay_9_from_6_pointer;
-    reg delay_9_from_6_out;
-    reg [3:0] delay_10_from_6_pointer;
-    reg [25:0] delay_10_from_6_out;
-    reg [3:0] delay_11_from_6_pointer;
-    reg [26:0] delay_11_from_6_out;
-    reg [3:0] delay_12_from_6_pointer;
-    reg [2:0] delay_12_from_6_out, delay_8_from_7_pointer;
-    reg [21:0] delay_8_from_7_out;
-    reg [2:0] delay_9_from_7_pointer;
-    reg [57:0] delay_9_from_7_out;
-    reg [3:0] delay_13_from_7_pointer;
-    reg delay_13_from_7_out;
-    reg [23:0] center_x_d1, center_y_d1, center_z_d1, tangent1_x_d1;
+    reg [10:0] delay_8_from_5_out;
+    reg [7:0] phases_2;
+    reg [2:0] delay_9_from_5_pointer;
+    reg [93:0] delay_9_from_5_out;
     reg [7:0] phases_3;
-    reg [23:0] tangent1_y_d1, tangent1_z_d1, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
+    reg [3:0] delay_11_from_5_pointer;
+    reg [64:0] delay_11_from_5_out;
+    reg [1:0] delay_5_from_6_pointer;
+    reg [56:0] delay_5_from_6_out;
+    reg [2:0] delay_6_from_6_pointer;
+    reg delay_6_from_6_out;
+    reg [2:0] delay_7_from_6_pointer;
+    reg delay_7_from_6_out;
+    reg [2:0] delay_8_from_6_pointer;
+    reg [10:0] delay_8_from_6_out;
+    reg [2:0] delay_9_from_6_pointer;
+    reg [36:0] delay_9_from_6_out;
+    reg [3:0] delay_10_from_6_pointer;
+    reg [4:0] delay_10_from_6_out;
+    reg [3:0] delay_11_from_6_pointer;
+    reg [32:0] delay_11_from_6_out;
+    reg [3:0] delay_14_from_6_pointer;
+    reg delay_14_from_6_out;
+    reg [2:0] delay_9_from_7_pointer;
+    reg [23:0] delay_9_from_7_out;
+    reg [3:0] delay_10_from_7_pointer;
+    reg [15:0] delay_10_from_7_out;
+    reg [3:0] delay_11_from_7_pointer;
+    reg [1:0] delay_11_from_7_out;
+    reg [3:0] delay_12_from_7_pointer;
+    reg delay_12_from_7_out;
+    reg [4:0] delay_19_from_7_pointer;
+    reg delay_19_from_7_out, end_d22;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, center_z_d2, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
+    reg [23:0] tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
     reg first_x_both_d1;
@@ -6670,91 +6685,93 @@ module splat_setup (
     reg [23:0] v_x_chosen_d1, v_x_chosen_d2, v_x_chosen_d3, v_y_chosen_d1, v_y_chosen_d2, v_y_chosen_d3;
     reg [23:0] lowered_chosen_d1;
     reg [10:0] lowered_chosen_bits_d1, lowered_chosen_bits_d1_copy2, lowered_greater_d1;
-    reg [10:0] lowered_chosen_bits_d1_copy3, lowered_greater_d1_copy2, lowered_chosen_bits_d1_copy4;
-    reg [10:0] lowered_greater_d1_copy3, lowered_chosen_bits_d1_copy5, lowered_greater_d1_copy4;
-    reg [10:0] lowered_chosen_bits_d1_copy6, lowered_greater_d1_copy5, lowered_chosen_bits_plus_60_d1, lowered_d1;
+    reg [10:0] lowered_chosen_bits_d1_copy3, lowered_greater_d1_copy2;
+    reg [7:0] phases_5;
+    reg [10:0] lowered_chosen_bits_d1_copy4, lowered_greater_d1_copy3, lowered_chosen_bits_d1_copy5;
+    reg [10:0] lowered_greater_d1_copy4, lowered_chosen_bits_d1_copy6, lowered_greater_d1_copy5;
+    reg [10:0] lowered_chosen_bits_plus_60_d1, lowered_d1, lowered_d2, lowered_d3, lowered_d4, lowered_d5;
+    reg [10:0] lowered_d6;
     reg a_x_inverted_d1, a_x_in_order_and_a_x_inverted_d1, lowered_chosen_bits_is_255_d1;
     reg [14:0] lowered_chosen_bits_d1_copy7;
     reg [7:0] a_x_chosen_d1;
     reg lowered_chosen_sign_d1;
-    reg [23:0] a_x_joined_d1, a_x_joined_d2;
+    reg [23:0] a_x_joined_d1, a_x_joined_d2, a_x_joined_d3;
     reg a_y_inverted_d1, a_y_in_order_and_a_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy2;
+    reg [7:0] phases_6;
     reg [14:0] lowered_chosen_bits_d1_copy8;
     reg [7:0] a_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy2;
-    reg [23:0] a_y_joined_d1, a_y_joined_d2;
+    reg [23:0] a_y_joined_d1, a_y_joined_d2, a_y_joined_d3;
     reg alpha_inverted_d1, alpha_both_d1, lowered_chosen_bits_is_255_d1_copy3;
     reg [14:0] lowered_chosen_bits_d1_copy9;
     reg [7:0] alpha_chosen_d1;
     reg lowered_chosen_sign_d1_copy3;
-    reg [7:0] phases_5;
-    reg [23:0] alpha_joined_d1, alpha_joined_d2;
+    reg [23:0] alpha_joined_d1;
+    reg [7:0] phases_7;
+    reg [23:0] alpha_joined_d2;
     reg b_x_inverted_d1, b_x_in_order_and_b_x_inverted_d1, lowered_chosen_bits_is_255_d1_copy4;
     reg [14:0] lowered_chosen_bits_d1_copy10;
     reg [7:0] b_x_chosen_d1;
     reg lowered_chosen_sign_d1_copy4;
-    reg [23:0] b_x_joined_d1, b_x_joined_d2;
+    reg [23:0] b_x_joined_d1, b_x_joined_d2, b_x_joined_d3;
     reg b_y_inverted_d1, b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
     reg [14:0] lowered_chosen_bits_d1_copy11;
     reg [7:0] b_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy5;
-    reg [7:0] phases_6;
-    reg [23:0] b_y_joined_d1, b_y_joined_d2;
+    reg [7:0] phases_8;
+    reg [23:0] b_y_joined_d1, b_y_joined_d2, b_y_joined_d3;
     reg beta_inverted_d1, beta_both_d1, lowered_chosen_bits_is_255_d1_copy6;
     reg [14:0] lowered_chosen_bits_d1_copy12;
     reg [7:0] beta_chosen_d1;
     reg lowered_chosen_sign_d1_copy6;
-    reg [23:0] beta_joined_d1, beta_joined_d2;
+    reg [23:0] beta_joined_d1;
+    reg [7:0] phases_9;
+    reg [23:0] beta_joined_d2;
     reg not_turned_d1, not_turned_d2, not_turned_d3, not_turned_d4, not_turned_d5, not_turned_d6;
     reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
-    reg beyond_near_and_not_turned_d4, beyond_near_and_not_turned_d5;
-    reg [23:0] reaches_near_sum_d1_copy2, r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2;
-    reg [23:0] q_d3, q_d4, q_d5, e_d1;
-    reg whole_d1, whole_d8, whole_d9, whole_d10, whole_d11, whole_d12, whole_d13;
-    reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, b_depth_d7;
-    reg [23:0] center_depth_d8, center_depth_d9, spread_middle_d1, spread_middle_d2, spread_half_d1, spread_half_d2;
-    reg [23:0] spread_half_d3, before_far_sum_d1, before_far_joined_d1;
-    reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
-    reg sight_disc_out_d14, sight_disc_out_d15, sight_disc_out_d16;
-    reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
-    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6, center_x_d7, center_x_d8;
-    reg [23:0] center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
-    reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
-    reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
-    reg [23:0] center_x_plus_first_x_joined_d1;
-    reg [7:0] phases_7;
-    reg [23:0] f_times_scale_x_d1, first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3;
-    reg [7:0] phases_8;
-    reg [23:0] last_x_chosen_d1, last_x_chosen_d2, last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2;
+    reg beyond_near_and_not_turned_d4;
+    reg [23:0] r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2, q_d3, q_d4, e_d1;
+    reg zero_is_lowered_d1, whole_d1, whole_d8, whole_d9;
+    reg [23:0] f_d1, f_d2, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, center_depth_d7;
+    reg [23:0] center_depth_d8, center_depth_d9, spread_middle_d1, spread_middle_d2, root_of_q_d1;
+    reg [23:0] f_times_root_of_q_d1, spread_half_d1, spread_half_d2;
+    reg beyond_near_d1_copy2;
+    reg [23:0] one_minus_depth_a_d1, before_far_sum_d1, before_far_joined_d1;
+    reg before_far_in_order_d1, sight_disc_out_d12, sight_disc_out_d13, sight_disc_out_d14;
+    reg sight_disc_out_d15, sight_disc_out_d16;
+    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, half_depth_times_epsilon_scale_d1, epsilon_d1;
+    reg [23:0] v_x_d1, a_x_d1, b_x_d1, center_x_d6, center_x_d7, center_x_d8, center_x_d9, t_x_sum_d1, t_x_sum_d2;
+    reg [23:0] t_x_d1, h_x_sum_d1, h_x_sum_d2, h_x_sum_d3, h_x_sum_d1_copy2, center_x_minus_t_x_d1;
+    reg [23:0] center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4, minus_h_x_d1;
+    reg [7:0] phases_10;
+    reg [23:0] center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1, f_times_scale_x_d1;
+    reg [23:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1;
+    reg [23:0] last_x_chosen_d2, last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2;
     reg [23:0] center_x_minus_filter_radius_d1, filter_radius_plus_center_x_d1, first_x_chosen_d1_copy3;
     reg [23:0] last_x_chosen_d1_copy3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
-    reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4;
-    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d1_copy2, center_y_d2;
-    reg [23:0] center_y_d3, center_y_d4, center_y_d5, center_y_d6, center_y_d7, center_y_d8, center_y_d9;
-    reg [23:0] center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
-    reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
-    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
-    reg [23:0] minus_h_y_d1;
-    reg [7:0] phases_9;
-    reg [23:0] center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
+    reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4, last_x_d5;
+    reg [23:0] v_y_d1, a_y_d1, b_y_d1, center_y_d1_copy2, center_y_d7, center_y_d8, center_y_d9, t_y_sum_d1, t_y_d1;
+    reg [23:0] h_y_sum_d1, h_y_sum_d2, h_y_sum_d3, minus_t_y_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2;
+    reg [23:0] center_y_minus_t_y_d3, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
     reg first_y_in_order_d1_copy3;
-    reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1;
-    reg [7:0] phases_10;
-    reg [23:0] first_y_chosen_d2, first_y_chosen_d3, first_y_chosen_d4, last_y_chosen_d1, last_y_chosen_d2;
+    reg [23:0] f_times_scale_y_d1;
     reg [7:0] phases_11;
-    reg [23:0] last_y_chosen_d3, first_y_chosen_d1_copy2, last_y_chosen_d1_copy2, filter_radius_plus_center_y_d1;
-    reg [23:0] first_y_chosen_d1_copy3, last_y_chosen_d1_copy3, first_y_greater_d1;
-    reg [21:0] first_y_shifted_d1;
-    reg [23:0] last_y_greater_d1;
-    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
+    reg [23:0] first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3, last_y_chosen_d1;
+    reg [7:0] phases_12;
+    reg [23:0] last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2, last_y_chosen_d1_copy2;
+    reg [23:0] center_y_minus_filter_radius_d1, filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3;
+    reg [23:0] last_y_chosen_d1_copy3;
+    reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
     reg [8:0] last_y_d1, last_y_d2, last_y_d3, last_y_d4;
-    reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
-    reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
-    reg [10:0] a_x_bits_plus_127_d1;
-    reg not_zero_is_a_x_bits_d1, not_zero_is_a_x_bits_d2, not_zero_is_a_x_bits_d3, unit_delta_both_d1;
-    reg a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
-    reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2, a_x_bits_d3_copy2;
+    reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_x_bits_d4, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3;
+    reg [10:0] a_exponent_d1, b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3;
+    reg [10:0] b_exponent_d1, a_x_bits_plus_127_d1;
+    reg not_zero_is_a_x_bits_d1, not_zero_is_a_x_bits_d2, not_zero_is_a_x_bits_d3, not_zero_is_a_x_bits_d4;
+    reg unit_delta_both_d1, a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
+    reg [14:0] a_x_bits_d1_copy2;
+    reg [7:0] phases_13;
+    reg [14:0] a_x_bits_d2_copy2, a_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1;
     reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3;
     reg [23:0] unit_delta_joined_d1;
@@ -6764,75 +6781,74 @@ module splat_setup (
     reg [14:0] a_y_bits_d1_copy2, a_y_bits_d2_copy2, a_y_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy2;
     reg a_y_sign_d1, a_y_sign_d2, a_y_sign_d3;
-    reg [23:0] unit_delta_joined_d1_copy2;
+    reg [23:0] unit_delta_joined_d1_copy2, unit_delta_joined_d2;
     reg [10:0] b_x_bits_plus_127_d1;
     reg not_zero_is_b_x_bits_d1, not_zero_is_b_x_bits_d2, not_zero_is_b_x_bits_d3, unit_delta_both_d1_copy3;
     reg b_x_bits_is_255_d1, b_x_bits_is_255_d2, b_x_bits_is_255_d3;
     reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2, b_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy3;
     reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3;
-    reg [23:0] unit_delta_joined_d1_copy3;
+    reg [23:0] unit_delta_joined_d1_copy3, unit_delta_joined_d2_copy2;
     reg [10:0] b_y_bits_plus_127_d1;
     reg not_zero_is_b_y_bits_d1, not_zero_is_b_y_bits_d2, not_zero_is_b_y_bits_d3, unit_delta_both_d1_copy4;
     reg b_y_bits_is_255_d1, b_y_bits_is_255_d2, b_y_bits_is_255_d3;
     reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2, b_y_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1, b_y_sign_d2, b_y_sign_d3;
-    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1;
+    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
     reg [10:0] beta_bits_d1, beta_bits_d2, beta_bits_d3, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
     reg [10:0] alpha_bits_d3, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
     reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, not_zero_is_beta_bits_d3, mx_both_d1;
     reg beta_bits_is_255_d1;
     reg [7:0] mx_chosen_d1;
     reg [23:0] mx_joined_d1;
-    reg [7:0] phases_12;
     reg [10:0] mx_sum_d1_copy2;
     reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, not_zero_is_alpha_bits_d3, mx_both_d1_copy2;
     reg alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [23:0] mx_joined_d1_copy2, mx_product_d1, minus_mx_product_d1, my_product_d1, minus_my_product_d1;
-    reg [10:0] largest_sum_d1, largest_sum_d2, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
-    reg [10:0] largest_greater_plus_154_d2;
+    reg [23:0] mx_joined_d1_copy2, minus_unit_delta_joined_d1;
+    reg [10:0] largest_sum_d1, largest_sum_d2, largest_sum_d3, unit_delta_bits_d1, largest_greater_d1;
+    reg [10:0] largest_greater_plus_154_d1, largest_greater_plus_154_d2;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
     reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
-    reg [10:0] largest_sum_d3, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_sum_d3_copy2, largest_d1, a_x_bits_plus_381_d1;
     reg exponent_both_d1;
-    reg [7:0] exponent_chosen_d1;
+    reg [7:0] exponent_chosen_d1, phases_14;
     reg [23:0] exponent_joined_d1;
     reg [10:0] a_y_bits_plus_381_d1;
     reg exponent_both_d1_copy2;
-    reg [7:0] exponent_chosen_d1_copy2;
-    reg [23:0] exponent_joined_d1_copy2;
+    reg [22:0] exponent_joined_d1_copy2;
+    reg [23:0] exponent_joined_d1_copy3;
     reg [10:0] b_x_bits_plus_381_d1;
     reg exponent_both_d1_copy3;
-    reg [7:0] exponent_chosen_d1_copy3;
+    reg [22:0] exponent_joined_d1_copy4;
     reg [10:0] b_y_bits_plus_381_d1;
     reg exponent_both_d1_copy4;
-    reg [7:0] exponent_chosen_d1_copy4;
+    reg [7:0] exponent_chosen_d1_copy2;
     reg [10:0] delta_sum_d1;
     reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
     reg [14:0] unit_delta_bits_d1_copy2;
     reg [7:0] delta_chosen_d1;
     reg unit_delta_sign_d1;
     reg [23:0] delta_d1;
-    reg [10:0] mx_sum_d1_copy3, mx_sum_d2, mx_sum_d3, mx_bits_d1, mx_sum_plus_mx_bits_d1;
-    reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
-    reg [14:0] mx_bits_d1_copy2;
+    reg [10:0] mx_sum_d1_copy3, mx_sum_d2, mx_sum_d3, mx_sum_bits_d1, mx_sum_plus_mx_sum_bits_d1;
+    reg not_zero_is_mx_sum_bits_d1, mx_both_d1_copy3, mx_sum_bits_is_255_d1;
+    reg [14:0] mx_sum_bits_d1_copy2;
     reg [7:0] mx_chosen_d1_copy3;
-    reg mx_bits_d1_copy3;
-    reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
-    reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
-    reg [14:0] my_bits_d1_copy2;
-    reg [7:0] my_chosen_d1;
-    reg my_bits_d1_copy3;
+    reg mx_sum_sign_d1;
+    reg [10:0] my_sum_bits_d1;
+    reg my_in_order_d1, not_zero_is_my_sum_bits_d1, my_sum_bits_is_255_d1;
+    reg [10:0] my_difference_d1;
+    reg [14:0] my_sum_bits_d1_copy2;
+    reg my_sum_sign_d1;
     reg [10:0] edge_on_lesser_d1;
     reg edge_on_lesser_below_32_d1, edge_on_lesser_below_32_d2, unit_delta_bits_is_zero_d1;
+    reg [7:0] unit_delta_product_bits_d1;
     reg edge_on_in_order_d1;
-    reg [23:0] first_sum_sum_d1, first_sum_sum_d2;
-    reg [7:0] phases_13;
-    reg [23:0] f_times_first_sum_sum_d1, first_sum_sum_d1_copy2, first_sum_product_d1, first_difference_sum_d1;
-    reg [23:0] root_of_first_sum_sum_d1, first_sum_sum_d1_copy3, first_sum_chosen_d1;
+    reg [23:0] first_sum_sum_d1, first_sum_sum_d2, first_sum_sum_d3, first_sum_sum_d1_copy2, first_sum_product_d1;
+    reg [23:0] t_x_plus_t_y_d7, first_difference_sum_d1, root_of_first_sum_sum_d1, first_sum_sum_d1_copy3;
+    reg [23:0] first_sum_chosen_d1;
     reg [26:0] first_sum_sum_d1_copy4;
     reg [23:0] last_sum_sum_d1, last_sum_chosen_d1;
     reg [26:0] last_sum_sum_d1_copy2;
@@ -6841,27 +6857,23 @@ module splat_setup (
     reg [23:0] last_difference_sum_d1, last_difference_chosen_d1;
     reg [26:0] last_difference_sum_d1_copy2;
     reg [21:0] center_x_fixed_d1;
-    reg whole_and_first_sum_both_d1;
+    reg first_sum_both_d1;
     reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
-    reg [26:0] first_sum_greater_d1, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
-    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy4, last_difference_sum_d1_copy3;
-    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy4, first_difference_greater_d1;
-    reg [26:0] first_difference_d1, last_difference_lesser_d1;
+    reg [26:0] first_sum_greater_d1, last_sum_lesser_d1, first_difference_difference_d1, first_difference_shifted_d1;
+    reg [26:0] first_difference_sum_d1_copy4, last_difference_sum_d1_copy3, last_difference_shifted_d1;
+    reg [26:0] last_difference_sum_d1_copy4, first_difference_greater_d1, first_difference_d1;
+    reg [26:0] last_difference_lesser_d1;
     reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
-    reg [9:0] first_sum_out_d1, last_sum_out_d1, last_sum_out_d2, first_difference_out_d1, last_difference_out_d1;
-    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_both_d3;
+    reg [9:0] first_sum_out_d1, last_sum_out_d1, last_difference_out_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_both_d3, visible_both_d4;
     reg sight_negative_out_d1, visible_both_d1_copy2;
-    reg [23:0] exponent_joined_d1_copy3, exponent_joined_d1_copy4, delta_times_one_over_b_depth_d1;
+    reg [7:0] phases_15;
+    reg [23:0] exponent_joined_d1_copy5, exponent_joined_d1_copy6, delta_times_one_over_b_depth_d1;
     reg end_or_visible_d1, placed_d1, placed_d2;
     reg [27:0] center_x_out_shifted_d1;
-    reg [25:0] center_x_out_lesser_d1;
-    reg [7:0] phases_14;
-    reg [25:0] center_x_out_d12, center_x_out_d13, center_x_out_d14, center_x_out_d15;
+    reg [25:0] center_x_out_lesser_d1, center_x_out_d11, center_x_out_d12, center_x_out_d13, center_x_out_d14;
     reg [27:0] center_y_out_shifted_d1;
-    reg [7:0] phases_15;
-    reg [25:0] center_y_out_lesser_d1, center_y_out_d11, center_y_out_d12, center_y_out_d13;
-    reg [7:0] phases_16;
-    reg [25:0] center_y_out_d14;
+    reg [25:0] center_y_out_lesser_d1, center_y_out_d11, center_y_out_d12, center_y_out_d13, center_y_out_d14;
     reg [26:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
     reg [26:0] shift_difference_d1_copy2;
     reg [25:0] shift_chosen_bits_d1;
@@ -6890,11 +6902,11 @@ module splat_setup (
     reg [3:0] shift_chosen_d1_copy3;
     reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2, shift_d3;
-    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d11, exponent_chosen_d1_copy5, exponent_joined_bits_d1;
-    reg [9:0] exponent_joined_bits_d1_copy2, exponent_joined_bits_d11, mx_bits_d1_copy4, mx_bits_d11;
-    reg [9:0] my_bits_d1_copy4, my_bits_d11, exponent_greater_d1, exponent_greater_d1_copy2;
-    reg [9:0] exponent_greater_d1_copy3, exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1;
-    reg [9:0] exponent_chosen_bits_plus_126_d1;
+    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d11, exponent_chosen_d1_copy3, exponent_chosen_bits_d10;
+    reg [9:0] exponent_joined_bits_d1, exponent_chosen_bits_d10_copy2, exponent_joined_bits_d1_copy2;
+    reg [7:0] phases_16;
+    reg [9:0] mx_bits_d1, my_bits_d1, exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3;
+    reg [9:0] exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1, exponent_chosen_bits_plus_126_d1;
     reg zero_is_exponent_chosen_bits_d1, ax_out_both_d1;
     reg [23:0] ax_out_joined_d1;
     reg [17:0] ax_out_shifted_d1;
@@ -6930,8 +6942,8 @@ module splat_setup (
     reg [21:0] vanishes_shifted_d1;
     reg [19:0] vanishes_lesser_d1;
     reg exponent_chosen_bits_is_255_d1, exponent_joined_bits_is_255_d1, exponent_chosen_bits_is_255_d1_copy2;
-    reg odd_either_d1, mx_bits_is_255_d1_copy2, my_bits_is_255_d1_copy2, odd_d1, vanishes_d1, not_placed_d1;
-    reg edge_on_or_not_placed_d1, edge_on_or_not_placed_d2, covers_nothing_d1;
+    reg odd_either_d1, mx_bits_is_255_d1, my_bits_is_255_d1, odd_d1, vanishes_d1, not_placed_d1;
+    reg not_placed_d2, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2, covers_nothing_d1;
     reg [10:0] sight_near_out_bits_d9, sight_near_out_bits_plus_126_d1;
     reg sight_near_out_in_order_d1, sight_near_out_bits_is_255_d1;
     reg [10:0] sight_near_out_sum_d1;
@@ -6947,9 +6959,9 @@ module splat_setup (
     reg [22:0] sight_far_out_joined_d1;
     reg [23:0] sight_far_out_joined_d1_copy2;
     reg [19:0] sight_far_out_d1;
-    reg [23:0] middle_depth_minus_epsilon_d1, depth_low_out_d1, depth_low_out_d2, depth_low_out_d3, depth_low_out_d4;
-    reg [23:0] middle_depth_plus_epsilon_d1, depth_high_out_d1, depth_high_out_d2, depth_high_out_d3;
-    reg [23:0] depth_high_out_d4;
+    reg [23:0] middle_depth_minus_epsilon_d1, depth_low_out_greater_d1, depth_low_out_d1, depth_low_out_d2;
+    reg [23:0] depth_low_out_d3, middle_depth_plus_epsilon_d1, depth_high_out_greater_d1, depth_high_out_d1;
+    reg [23:0] depth_high_out_d2, depth_high_out_d3;
     reg [2:0] max_f24_ftz_unit_phase;
     reg [23:0] max_f24_ftz_unit_a;
     reg [2:0] max_f24_ftz_unit_phase_copy2;
@@ -6958,12 +6970,6 @@ module splat_setup (
     reg [23:0] max_f24_ftz_unit_copy2_a;
     reg [2:0] max_f24_ftz_unit_copy2_phase_copy2;
     reg [23:0] max_f24_ftz_unit_copy2_b;
-    reg [2:0] lt_f24_ftz_unit_phase;
-    reg [23:0] lt_f24_ftz_unit_a;
-    reg [2:0] lt_f24_ftz_unit_phase_copy2;
-    reg [23:0] lt_f24_ftz_unit_b;
-    reg [2:0] lt_f24_ftz_unit_copy2_phase;
-    reg [23:0] lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b;
     reg [2:0] add_f24_ftz_unit_phase;
     reg [23:0] add_f24_ftz_unit_a;
     reg [2:0] add_f24_ftz_unit_phase_copy2;
@@ -6984,14 +6990,6 @@ module splat_setup (
     reg [23:0] add_f24_ftz_unit_copy5_a;
     reg [2:0] add_f24_ftz_unit_copy5_phase_copy2;
     reg [23:0] add_f24_ftz_unit_copy5_b;
-    reg [2:0] add_f24_ftz_unit_copy6_phase;
-    reg [23:0] add_f24_ftz_unit_copy6_a;
-    reg [2:0] add_f24_ftz_unit_copy6_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy6_b;
-    reg [2:0] add_f24_ftz_unit_copy7_phase;
-    reg [23:0] add_f24_ftz_unit_copy7_a;
-    reg [2:0] add_f24_ftz_unit_copy7_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy7_b;
     reg [2:0] recip_f24_ftz_unit_phase;
     reg [23:0] recip_f24_ftz_unit_a;
     reg [2:0] mul_f24_ftz_unit_phase;
@@ -7010,26 +7008,24 @@ module splat_setup (
     reg [23:0] mul_f24_ftz_unit_copy4_a;
     reg [2:0] mul_f24_ftz_unit_copy4_phase_copy2;
     reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [2:0] mul_f24_ftz_unit_copy5_phase;
-    reg [23:0] mul_f24_ftz_unit_copy5_a;
-    reg [2:0] mul_f24_ftz_unit_copy5_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy5_b;
-    reg [2:0] mul_f24_ftz_unit_copy6_phase;
-    reg [23:0] mul_f24_ftz_unit_copy6_a;
-    reg [2:0] mul_f24_ftz_unit_copy6_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy6_b;
-    reg [2:0] mul_f24_ftz_unit_copy7_phase;
-    reg [23:0] mul_f24_ftz_unit_copy7_a;
-    reg [2:0] mul_f24_ftz_unit_copy7_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy7_b;
-    reg [2:0] mul_f24_ftz_unit_copy8_phase;
-    reg [23:0] mul_f24_ftz_unit_copy8_a;
-    reg [2:0] mul_f24_ftz_unit_copy8_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy8_b;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase;
+    reg [23:0] mul_mul_add_f24_ftz_unit_a;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_mul_add_f24_ftz_unit_b;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy3;
+    reg [23:0] mul_mul_add_f24_ftz_unit_c;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_mul_add_f24_ftz_unit_d;
+    reg [2:0] mul_mul_add_f24_ftz_unit_copy2_phase;
+    reg [23:0] mul_mul_add_f24_ftz_unit_copy2_a;
+    reg [2:0] mul_mul_add_f24_ftz_unit_copy2_phase_copy2;
+    reg [23:0] mul_mul_add_f24_ftz_unit_copy2_b;
+    reg [2:0] mul_mul_add_f24_ftz_unit_copy2_phase_copy3;
+    reg [23:0] mul_mul_add_f24_ftz_unit_copy2_c;
+    reg [2:0] mul_mul_add_f24_ftz_unit_copy2_phase_copy4;
+    reg [23:0] mul_mul_add_f24_ftz_unit_copy2_d;
     reg [2:0] sqrt_f24_ftz_unit_phase;
     reg [23:0] sqrt_f24_ftz_unit_a;
-    reg [2:0] le_f24_ftz_unit_phase;
-    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b;
     reg [2:0] min_f24_ftz_unit_phase;
     reg [23:0] min_f24_ftz_unit_a;
     reg [2:0] min_f24_ftz_unit_phase_copy2;
@@ -7047,18 +7043,21 @@ module splat_setup (
     reg [2:0] to_fixed_f24_ftz_s17q16_unit_phase;
     reg [23:0] to_fixed_f24_ftz_s17q16_unit_a;
     reg [2:0] to_fixed_f24_ftz_u20q19_unit_phase;
-    reg [23:0] to_fixed_f24_ftz_u20q19_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [23:0] to_fixed_f24_ftz_u20q19_unit_a;
+    reg [2:0] to_fixed_f24_ftz_u24q24_unit_phase;
+    reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
     reg [21:0] in_flight;
     reg left, dropped;
 
     wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
-    wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
+    wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y, lt_f24_ftz_unit_copy3_y, lt_f24_ftz_unit_copy4_y;
+    wire lt_f24_ftz_unit_copy5_y, lt_f24_ftz_unit_copy6_y, lt_f24_ftz_unit_copy7_y, lt_f24_ftz_unit_copy8_y;
+    wire lt_f24_ftz_unit_copy9_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, add_f24_ftz_unit_copy7_y, recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y, sqrt_f24_ftz_unit_y;
-    wire le_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y, mul_mul_add_f24_ftz_unit_y;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_y, sqrt_f24_ftz_unit_y;
+    wire le_f24_ftz_unit_y, le_f24_ftz_unit_copy2_y, le_f24_ftz_unit_copy3_y, le_f24_ftz_unit_copy4_y;
     wire [23:0] min_f24_ftz_unit_y, min_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
@@ -7078,9 +7077,10 @@ module splat_setup (
     wire [39:0] queue_4_out_data;
 
     assign in_ready = ~credits[5] & phases_1[0];
-    wire in_flight_21_and_phases_8_6 = in_flight[21] & phases_8[6];
-    wire kept = in_flight_21_and_phases_8_6 & end_or_visible_d1;
-    wire end_d22 = delay_22_from_0_out[0];
+    wire [23:0] lt_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
+    wire [23:0] lt_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
+    wire in_flight_21_and_phases_4_3 = in_flight[21] & phases_4[3];
+    wire kept = in_flight_21_and_phases_4_3 & end_or_visible_d1;
     wire [15:0] ax_out = covers_nothing_d1 ? 16'd0 : ax_out_lesser_d1;
     wire [15:0] bx_out = covers_nothing_d1 ? 16'd0 : bx_out_lesser_d1;
     wire [15:0] ay_out = covers_nothing_d1 ? 16'd0 : ay_out_lesser_d1;
@@ -7088,13 +7088,12 @@ module splat_setup (
     wire [19:0] delta_out = covers_nothing_d1 ? 20'd0 : vanishes_lesser_d1;
     wire [15:0] mx_out = covers_nothing_d1 ? 16'd0 : mx_out_lesser_d1;
     wire [15:0] my_out = covers_nothing_d1 ? 16'd0 : my_out_lesser_d1;
-    wire sight_negative_out_d13 = delay_12_from_6_out[2];
     wire [19:0] sight_near_out = covers_nothing_d1 ? 20'd0 : sight_near_out_chosen_d1;
-    wire turned_d21 = delay_12_from_6_out[0];
-    wire [11:0] attribute_0_d22 = delay_22_from_0_out[12:1];
-    wire [11:0] attribute_1_d22 = delay_22_from_0_out[24:13];
-    wire [11:0] attribute_2_d22 = delay_22_from_0_out[36:25];
-    wire [8:0] first_y_d5 = delay_5_from_5_out[32:24];
+    wire turned_d21 = delay_11_from_5_out[0];
+    wire [11:0] attribute_0_d22 = delay_22_from_0_out[11:0];
+    wire [11:0] attribute_1_d22 = delay_22_from_0_out[23:12];
+    wire [11:0] attribute_2_d22 = delay_22_from_0_out[35:24];
+    wire [8:0] first_x_d5 = delay_5_from_6_out[32:24];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_y[22:15]};
     wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
@@ -7150,7 +7149,7 @@ module splat_setup (
     wire turned_in_order = center_z_bits_plus_4_d1 < turned_greater_d1;
     wire not_beyond_near = ~lt_f24_ftz_unit_y;
     wire turned_either = turned_in_order | not_beyond_near;
-    wire turned = lt_f24_ftz_unit_y & turned_either_d1;
+    wire turned = lt_f24_ftz_unit_copy3_y & turned_either_d1;
     wire [23:0] v_x_chosen = swapped_d1 ? tangent2_x_d1 : tangent1_x_d1;
     wire [23:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d1;
     wire [23:0] v_y_chosen = swapped_d1 ? tangent2_y_d1 : tangent1_y_d1;
@@ -7231,68 +7230,66 @@ module splat_setup (
     wire [22:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d1_copy12} : 23'd0;
     wire not_turned = ~turned_d1;
     wire beyond_near_and_not_turned = beyond_near_d2 & not_turned_d1;
-    wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_y;
-    wire zero_is_lowered = 11'd0 == delay_5_from_4_out;
-    wire whole = not_turned_and_whole_in_order & zero_is_lowered;
-    wire whole_d7 = delay_6_from_1_out[0];
+    wire zero_is_lowered = 11'd0 == lowered_d5;
+    wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_copy5_y;
+    wire whole = not_turned_and_whole_in_order & zero_is_lowered_d1;
+    wire beyond_near = delay_6_from_6_out & le_f24_ftz_unit_y;
     wire before_far_in_order = mul_f24_ftz_unit_y[22:0] < 23'd16;
     wire [22:0] before_far_difference = mul_f24_ftz_unit_y[22:0] - 23'd16;
     wire [22:0] before_far_chosen = before_far_in_order ? 23'd0 : before_far_difference;
-    wire sight_disc_out_d11 = delay_11_from_6_out[0];
-    wire beyond_near = whole_d7 & le_f24_ftz_unit_y;
-    wire [23:0] middle_depth_chosen = delay_7_from_5_out ? center_depth_d9 : 24'd0;
-    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : middle_depth_chosen;
-    wire [23:0] half_depth_chosen_d9 = delay_9_from_7_out[23:0];
-    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_chosen_d9;
-    wire first_x_product_bits_below_16 = mul_f24_ftz_unit_copy4_y[22:0] < 23'd16;
-    wire [22:0] first_x_product_bits_minus_16 = mul_f24_ftz_unit_copy4_y[22:0] - 23'd16;
+    wire [23:0] middle_depth_chosen = delay_8_from_4_out ? center_depth_d9 : 24'd0;
+    wire [23:0] middle_depth = beyond_near_d1_copy2 ? spread_middle_d2 : middle_depth_chosen;
+    wire [23:0] half_depth_chosen_d9 = delay_9_from_5_out[24:1];
+    wire [23:0] half_depth = beyond_near ? spread_half_d2 : half_depth_chosen_d9;
+    wire [23:0] center_x_d5 = delay_5_from_6_out[23:0];
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire first_x_product_bits_below_16 = before_far_in_order;
+    wire [22:0] first_x_product_bits_minus_16 = before_far_difference;
     wire [22:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 23'd0 : first_x_product_bits_minus_16;
-    wire first_x_chosen_d11 = delay_11_from_0_out[0];
-    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'd0;
-    wire last_x_chosen_d11 = delay_11_from_0_out[1];
-    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'h45fff8;
-    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy4_y : first_x_chosen_d3;
-    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy5_y : last_x_chosen_d3;
-    wire [23:0] first_x_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
-    wire [23:0] last_x_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
+    wire first_x_chosen_d11 = delay_11_from_7_out[0];
+    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy3_y : 24'd0;
+    wire last_x_chosen_d11 = delay_11_from_7_out[1];
+    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_y : first_x_chosen_d3;
+    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_x_chosen_d3;
+    wire [23:0] first_x_chosen_copy10 = delay_11_from_3_out ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
+    wire [23:0] last_x_chosen_copy4 = delay_11_from_3_out ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [8:0] last_x = last_x_lesser_minus_1[8:0];
-    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy6_y[22:0] < 23'd16;
-    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy6_y[22:0] - 23'd16;
+    wire [23:0] center_y_d6 = delay_5_from_6_out[56:33];
+    wire first_y_product_bits_below_16 = before_far_in_order;
+    wire [22:0] first_y_product_bits_minus_16 = before_far_difference;
     wire [22:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 23'd0 : first_y_product_bits_minus_16;
-    wire first_y_chosen_d11 = delay_11_from_2_out[0];
-    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'd0;
-    wire last_y_chosen_d11 = delay_11_from_2_out[1];
-    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'h45fff8;
-    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy6_y : first_y_chosen_d4;
-    wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_y_chosen_d3;
-    wire [23:0] first_y_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
-    wire [23:0] last_y_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
+    wire first_y_chosen_d11 = delay_11_from_1_out[0];
+    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy5_y : 24'd0;
+    wire last_y_chosen_d11 = delay_11_from_1_out[1];
+    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy5_y : 24'h45fff8;
+    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy4_y : first_y_chosen_d3;
+    wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy5_y : last_y_chosen_d3;
+    wire [23:0] first_y_chosen_copy10 = delay_11_from_3_out ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
+    wire [23:0] last_y_chosen_copy4 = delay_11_from_3_out ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
     wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [8:0] last_y = last_y_lesser_minus_1[8:0];
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
-    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
-    wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
-    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy6_y[22:15]};
-    wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_exponent = (a_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1;
+    wire [10:0] b_exponent = (b_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : b_x_bits_d1;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
     wire zero_is_a_x_bits = 11'd0 == a_x_bits_d1_bits;
     wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
     wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
     wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
-    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1_bits;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
     wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
     wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
@@ -7300,37 +7297,38 @@ module splat_setup (
     wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
     wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
     wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
-    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
     wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
-    wire zero_is_b_x_bits = 11'd0 == b_x_bits_d1_bits;
+    wire [10:0] b_x_bits_plus_127 = a_x_bits_plus_127;
+    wire zero_is_b_x_bits = zero_is_a_x_bits;
     wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
-    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1_bits;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
-    wire zero_is_b_y_bits = 11'd0 == b_y_bits_d1_bits;
+    wire [10:0] b_y_bits_plus_127 = a_y_bits_plus_127;
+    wire zero_is_b_y_bits = zero_is_a_y_bits;
     wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
-    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1_bits;
+    wire b_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d3;
+    wire [10:0] alpha_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d3;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d3 + a_exponent_plus_127;
-    wire zero_is_beta_bits = zero_is_b_x_bits;
+    wire zero_is_beta_bits = zero_is_a_y_bits;
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d3;
@@ -7341,7 +7339,7 @@ module splat_setup (
     wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d3[14:0]} : 23'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d3 + b_exponent_plus_127;
-    wire zero_is_alpha_bits = zero_is_a_x_bits;
+    wire zero_is_alpha_bits = 11'd0 == alpha_bits_d1_bits;
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d3;
@@ -7350,14 +7348,12 @@ module splat_setup (
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d3 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d3[14:0]} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
-    wire [10:0] largest_sum = delay_5_from_4_out + a_exponent_plus_b_exponent;
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy7_y[22:15]};
+    wire [10:0] largest_sum = lowered_d6 + a_exponent_plus_b_exponent;
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy5_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
-    wire [10:0] largest_sum_copy2 = largest_sum_d2 + unit_delta_bits_d1_bits;
+    wire [10:0] largest_sum_copy2 = largest_sum_d3 + unit_delta_bits_d1_bits;
     wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
     wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
     wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
@@ -7368,14 +7364,14 @@ module splat_setup (
     wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
     wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
     wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
-    wire [10:0] lowered_plus_m_exponent = delay_5_from_4_out + m_exponent_d1;
+    wire [10:0] lowered_plus_m_exponent = lowered_d6 + m_exponent_d1;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
-    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3) ? largest_sum_d3 : largest_greater_d1_copy3;
-    wire [10:0] a_x_bits_plus_381 = a_x_bits_d2 + 11'd381;
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3_copy2) ? largest_sum_d3_copy2 : largest_greater_d1_copy3;
+    wire [10:0] a_x_bits_plus_381 = a_x_bits_d3 + 11'd381;
     wire exponent_in_order = largest_d1 < a_x_bits_plus_381_d1;
-    wire exponent_both = not_zero_is_a_x_bits_d3 & exponent_in_order;
+    wire exponent_both = not_zero_is_a_x_bits_d4 & exponent_in_order;
     wire [10:0] exponent_difference = a_x_bits_plus_381_d1 - largest_d1;
-    wire [10:0] exponent_chosen = a_x_bits_is_255_d3 ? a_x_bits_d3 : exponent_difference;
+    wire [10:0] exponent_chosen = a_x_bits_is_255_d3 ? a_x_bits_d4 : exponent_difference;
     wire exponent_either = a_x_bits_is_255_d3 | exponent_both_d1;
     wire [22:0] exponent_chosen_copy2 = exponent_either ? {exponent_chosen_d1, a_x_bits_d3_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_381 = a_y_bits_d2 + 11'd381;
@@ -7384,7 +7380,7 @@ module splat_setup (
     wire [10:0] exponent_difference_copy2 = a_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] exponent_chosen_copy3 = a_y_bits_is_255_d3 ? a_y_bits_d3 : exponent_difference_copy2;
     wire exponent_either_copy2 = a_y_bits_is_255_d3 | exponent_both_d1_copy2;
-    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? {exponent_chosen_d1_copy2, a_y_bits_d3_copy2} : 23'd0;
+    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? exponent_joined_d1_copy2 : 23'd0;
     wire [10:0] b_x_bits_plus_381 = b_x_bits_d2 + 11'd381;
     wire exponent_in_order_copy3 = largest_d1 < b_x_bits_plus_381_d1;
     wire exponent_both_copy3 = not_zero_is_b_x_bits_d3 & exponent_in_order_copy3;
@@ -7395,7 +7391,7 @@ module splat_setup (
     wire exponent_both_copy4 = not_zero_is_b_y_bits_d3 & exponent_in_order_copy4;
     wire [10:0] exponent_difference_copy4 = b_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] exponent_chosen_copy7 = b_y_bits_is_255_d3 ? b_y_bits_d3 : exponent_difference_copy4;
-    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d2;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d3;
     wire [10:0] delta_sum = unit_delta_bits_d1_bits + largest_sum_plus_127_copy2;
     wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
     wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
@@ -7408,48 +7404,47 @@ module splat_setup (
     wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
     wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
     wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
-    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy3_y[22:15]};
-    wire [10:0] mx_sum_plus_mx_bits = mx_sum_d3 + mx_bits_d1_bits;
-    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
-    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire mx_in_order = largest_d1 < mx_sum_plus_mx_bits_d1;
-    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_bits_d1;
-    wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
-    wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
-    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy4_y[22:15]};
-    wire [10:0] mx_sum_plus_my_bits = mx_sum_d3 + my_bits_d1_bits;
-    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
-    wire not_zero_is_my_bits = ~zero_is_my_bits;
-    wire my_in_order = largest_d1 < mx_sum_plus_my_bits_d1;
-    wire my_both = my_in_order & not_zero_is_my_bits_d1;
-    wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
-    wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
-    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
+    wire [10:0] mx_sum_bits_d1_bits = {3'd0, mul_mul_add_f24_ftz_unit_y[22:15]};
+    wire [10:0] mx_sum_plus_mx_sum_bits = mx_sum_d3 + mx_sum_bits_d1_bits;
+    wire zero_is_mx_sum_bits = 11'd0 == mx_sum_bits_d1_bits;
+    wire not_zero_is_mx_sum_bits = ~zero_is_mx_sum_bits;
+    wire mx_in_order = largest_d1 < mx_sum_plus_mx_sum_bits_d1;
+    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_sum_bits_d1;
+    wire mx_sum_bits_is_255 = 11'd255 == mx_sum_bits_d1_bits;
+    wire [10:0] mx_difference = mx_sum_plus_mx_sum_bits_d1 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_sum_bits_is_255_d1 ? mx_sum_bits_d1 : mx_difference;
+    wire [10:0] my_sum_bits_d1_bits = {3'd0, mul_mul_add_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] mx_sum_plus_my_sum_bits = mx_sum_d3 + my_sum_bits_d1_bits;
+    wire my_in_order = largest_d1 < mx_sum_plus_my_sum_bits;
+    wire zero_is_my_sum_bits = 11'd0 == my_sum_bits_d1_bits;
+    wire not_zero_is_my_sum_bits = ~zero_is_my_sum_bits;
+    wire my_sum_bits_is_255 = 11'd255 == my_sum_bits_d1_bits;
+    wire [10:0] my_difference = mx_sum_plus_my_sum_bits - largest_d1;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy7_y[22:15]};
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy5_y[22:15]};
     wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_d1[22:15]};
-    wire [23:0] first_sum_chosen = sight_disc_out_d13 ? max_f24_ftz_unit_y : first_sum_sum_d1_copy3;
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire [23:0] first_sum_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_y : first_sum_sum_d1_copy3;
     wire [26:0] first_sum_sum = {4'd0, to_fixed_f24_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f24_ftz_u23q8_unit_y} >> 7);
-    wire [23:0] last_sum_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_y : last_sum_sum_d1;
+    wire [23:0] last_sum_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : last_sum_sum_d1;
     wire [26:0] last_sum_sum = first_sum_sum;
-    wire [23:0] first_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : first_difference_sum_d1_copy2;
+    wire [23:0] first_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_y : first_difference_sum_d1_copy2;
     wire [26:0] first_difference_sum = first_sum_sum;
     wire [23:0] last_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : last_difference_sum_d1;
     wire [26:0] last_difference_sum = first_sum_sum;
-    wire whole_and_first_sum_both = whole_d13 & delay_14_from_0_out;
-    wire [26:0] first_sum_sum_d14 = delay_14_from_5_out[26:0];
+    wire center_x_bits_below_140 = {3'd0, add_f24_ftz_unit_y[22:15]} < 11'd140;
+    wire center_y_bits_below_140 = {3'd0, add_f24_ftz_unit_copy2_y[22:15]} < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
+    wire [26:0] first_sum_sum_d14 = delay_14_from_3_out[26:0];
     wire [26:0] first_sum_difference = first_sum_sum_d14 - first_sum_sum_d1_copy4;
     wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
     wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + first_sum_sum_d14;
     wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
     wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
-    wire [26:0] first_sum = whole_and_first_sum_both_d1 ? first_sum_greater_d1 : 27'd0;
     wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd1023)) ? last_sum_shifted_d1 : 27'd1023;
-    wire [26:0] first_difference_difference_d14 = delay_14_from_5_out[53:27];
+    wire [26:0] first_difference_difference_d14 = delay_14_from_3_out[53:27];
     wire [26:0] first_difference_difference_copy2 = first_difference_difference_d14 - first_difference_sum_d1_copy3;
     wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
     wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd511;
@@ -7457,37 +7452,38 @@ module splat_setup (
     wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
     wire [26:0] last_difference_sum_copy4 = 27'd511 + last_difference_shifted_d1;
     wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy4)) ? first_difference_sum_d1_copy4 : 27'd0;
-    wire [26:0] first_difference = whole_and_first_sum_both_d1 ? first_difference_greater_d1 : 27'd0;
+    wire [26:0] first_difference = delay_14_from_6_out ? first_difference_greater_d1 : 27'd0;
     wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy4) < $signed(27'd1023)) ? last_difference_sum_d1_copy4 : 27'd1023;
-    wire [26:0] last_sum = whole_and_first_sum_both_d1 ? last_sum_lesser_d1 : 27'd1023;
-    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum_d1));
-    wire [26:0] last_difference = whole_and_first_sum_both_d1 ? last_difference_lesser_d1 : 27'd1023;
+    wire [26:0] last_sum = delay_14_from_6_out ? last_sum_lesser_d1 : 27'd1023;
+    wire [26:0] first_sum = delay_14_from_6_out ? first_sum_greater_d1 : 27'd0;
+    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum));
+    wire [26:0] last_difference = delay_14_from_6_out ? last_difference_lesser_d1 : 27'd1023;
     wire visible_in_order = ~($signed(last_difference) < $signed(first_difference_d1));
-    wire before_far_d12 = delay_12_from_6_out[1];
     wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
-    wire before_far_and_occupied_x = before_far_d12 & occupied_x;
+    wire before_far_and_occupied_x = delay_12_from_3_out & occupied_x;
     wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
     wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
-    wire turned_and_lowered_chosen_sign_d8 = delay_8_from_6_out[1];
-    wire sight_negative_out = add_f24_ftz_unit_copy7_y[23] ^ turned_and_lowered_chosen_sign_d8;
+    wire turned_and_lowered_chosen_sign_d9 = delay_9_from_5_out[25];
+    wire sight_negative_out = add_f24_ftz_unit_copy5_y[23] ^ turned_and_lowered_chosen_sign_d9;
     wire visible_both = first_sum_up_to_last_sum_d1 & visible_in_order_d1;
-    wire visible_both_and_visible_both = visible_both & visible_both_d3;
-    wire visible_both_copy3 = delay_19_from_2_out & visible_both_and_visible_both;
+    wire visible_both_and_visible_both = visible_both & visible_both_d4;
+    wire visible_both_copy3 = delay_19_from_7_out & visible_both_and_visible_both;
     wire not_exponent_joined_sign = ~a_x_sign_d3;
     wire not_exponent_joined_sign_copy2 = ~a_y_sign_d3;
-    wire visible = visible_both_d1_copy2 & delay_13_from_7_out;
-    wire end_or_visible = end_d22 | visible;
-    wire center_x_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
-    wire center_y_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy5_y[22:15]} < 10'd140;
+    wire visible = visible_both_d1_copy2 & delay_12_from_0_out;
+    wire end_or_visible = delay_21_from_0_out | visible;
+    wire center_x_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_y[22:15]} < 10'd140;
+    wire center_y_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
     wire placed = center_x_bits_below_140_copy2 & center_y_bits_below_140_copy2;
     wire [27:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s27q13_unit_y[26];
     wire [27:0] center_x_out_sum = center_y_out_sum_bits + {27'd0, not_center_x_fixed_sign};
     wire [27:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(28'h1ffffff)) ? center_x_out_shifted_d1 : 28'h1ffffff;
-    wire [25:0] center_x_out_d11 = delay_11_from_6_out[26:1];
+    wire [25:0] center_x_out_d10 = delay_10_from_3_out[25:0];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
     wire [27:0] center_y_out_sum = center_y_out_sum_bits + {27'd0, not_center_y_fixed_sign};
     wire [27:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(28'h1ffffff)) ? center_y_out_shifted_d1 : 28'h1ffffff;
+    wire [25:0] center_y_out_d10 = delay_10_from_3_out[51:26];
     wire [8:0] first_x = first_x_shifted_d1_shifted[8:0];
     wire [26:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
     wire [26:0] last_x_plus_1 = 27'd1 + {18'd0, last_x_d1};
@@ -7541,98 +7537,100 @@ module splat_setup (
     wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy7 ? 4'd10 : shift_chosen_d1_copy3;
     wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
     wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
-    wire [9:0] delta_bits_d10 = delay_9_from_4_out[9:0];
+    wire [9:0] delta_bits_d10 = delay_9_from_5_out[36:27];
     wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d10;
     wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d10 - shift_plus_4_d1;
     wire [9:0] exponent_chosen_copy11 = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
+    wire [9:0] exponent_chosen_bits_d9 = delay_9_from_6_out[9:0];
     wire exponent_either_copy3 = b_x_bits_is_255_d3 | exponent_both_d1_copy3;
-    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? {exponent_chosen_d1_copy3, b_x_bits_d3_copy2} : 23'd0;
+    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? exponent_joined_d1_copy4 : 23'd0;
+    wire [9:0] exponent_chosen_bits_d9_copy2 = delay_9_from_6_out[19:10];
     wire exponent_either_copy4 = b_y_bits_is_255_d3 | exponent_both_d1_copy4;
-    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? {exponent_chosen_d1_copy4, b_y_bits_d3_copy2} : 23'd0;
-    wire [9:0] exponent_joined_bits_d10_copy2 = delay_9_from_4_out[29:20];
-    wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
-    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_bits_d1_copy2} : 23'd0;
-    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
-    wire [9:0] mx_bits_d10 = delay_9_from_4_out[39:30];
-    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
-    wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen_d1, my_bits_d1_copy2} : 23'd0;
-    wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
-    wire [9:0] my_bits_d10 = delay_9_from_4_out[49:40];
-    wire [9:0] exponent_chosen_bits_d10 = delay_10_from_5_out[9:0];
-    wire [9:0] exponent_greater = (exponent_chosen_d1_copy5 < exponent_chosen_bits_d10) ? exponent_chosen_bits_d10 : exponent_chosen_d1_copy5;
-    wire [9:0] exponent_joined_bits_d10 = delay_9_from_4_out[19:10];
+    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? {exponent_chosen_d1_copy2, b_y_bits_d3_copy2} : 23'd0;
+    wire mx_both_or_mx_sum_bits_is_255 = mx_both_d1_copy3 | mx_sum_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_sum_bits_is_255 ? {mx_chosen_d1_copy3, mx_sum_bits_d1_copy2} : 23'd0;
+    wire [23:0] mx = {mx_sum_sign_d1, mx_chosen_copy6};
+    wire my_both = my_in_order_d1 & not_zero_is_my_sum_bits_d1;
+    wire my_both_or_my_sum_bits_is_255 = my_both | my_sum_bits_is_255_d1;
+    wire [10:0] my_chosen = my_sum_bits_is_255_d1 ? my_sum_bits_d1 : my_difference_d1;
+    wire [22:0] my_chosen_copy2 = my_both_or_my_sum_bits_is_255 ? {my_chosen[7:0], my_sum_bits_d1_copy2} : 23'd0;
+    wire [23:0] my = {my_sum_sign_d1, my_chosen_copy2};
+    wire [9:0] exponent_greater = (exponent_chosen_d1_copy3 < exponent_chosen_bits_d10) ? exponent_chosen_bits_d10 : exponent_chosen_d1_copy3;
+    wire [9:0] exponent_joined_bits_d10 = delay_9_from_5_out[46:37];
     wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d10 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d10;
-    wire [9:0] exponent_chosen_bits_d10_copy2 = delay_10_from_5_out[19:10];
     wire [9:0] exponent_greater_copy3 = (exponent_chosen_bits_d10_copy2 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_chosen_bits_d10_copy2;
-    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d11 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d11;
-    wire [9:0] exponent_greater_copy5 = (mx_bits_d11 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d11;
-    wire [9:0] exponent = (my_bits_d11 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d11;
+    wire [9:0] exponent_joined_bits_d10_copy2 = delay_9_from_5_out[56:47];
+    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d10_copy2 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d10_copy2;
+    wire [9:0] mx_bits_d10 = delay_9_from_5_out[66:57];
+    wire [9:0] exponent_greater_copy5 = (mx_bits_d10 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d10;
+    wire [9:0] my_bits_d10 = delay_9_from_5_out[76:67];
+    wire [9:0] exponent = (my_bits_d10 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d10;
     wire [9:0] exponent_chosen_bits_plus_126 = exponent_chosen_bits_d10 + 10'd126;
-    wire zero_is_exponent_chosen_bits = 10'd0 == exponent_chosen_bits_d10;
+    wire zero_is_exponent_chosen_bits = 10'd0 == exponent_chosen_bits_d9;
     wire ax_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1;
     wire ax_out_inverted = ~zero_is_exponent_chosen_bits_d1;
     wire ax_out_both = ax_out_in_order & ax_out_inverted;
-    wire exponent_chosen_sign_d11 = delay_11_from_5_out[0];
+    wire exponent_chosen_sign_d11 = delay_11_from_6_out[0];
     wire [9:0] ax_out_difference = exponent_chosen_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] exponent_chosen_bits_d11 = delay_11_from_5_out[15:1];
+    wire [14:0] exponent_chosen_bits_d11 = delay_11_from_6_out[15:1];
     wire [17:0] ax_out_sum_bits = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s17q16_unit_y[16];
     wire [17:0] ax_out_sum = ax_out_sum_bits + {17'd0, not_ax_out_joined_fixed_sign};
     wire [17:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(18'h7fff)) ? ax_out_shifted_d1 : 18'h7fff;
     wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d10 + 10'd126;
     wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
-    wire bx_out_inverted_d11 = delay_11_from_5_out[16];
-    wire bx_out_both = bx_out_in_order & bx_out_inverted_d11;
-    wire exponent_joined_sign_d11 = delay_11_from_4_out[0];
+    wire bx_out_inverted_d10 = delay_10_from_6_out[0];
+    wire bx_out_both = bx_out_in_order & bx_out_inverted_d10;
+    wire exponent_joined_sign_d11 = delay_11_from_5_out[1];
     wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d11_copy2 = delay_11_from_4_out[15:1];
+    wire [14:0] exponent_joined_bits_d11 = delay_11_from_5_out[16:2];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] bx_out_sum = ax_out_sum_bits + {17'd0, not_bx_out_joined_fixed_sign};
     wire [17:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(18'h7fff)) ? bx_out_shifted_d1 : 18'h7fff;
     wire [9:0] exponent_chosen_bits_plus_126_copy2 = exponent_chosen_bits_d10_copy2 + 10'd126;
-    wire zero_is_exponent_chosen_bits_copy2 = 10'd0 == exponent_chosen_bits_d10_copy2;
+    wire zero_is_exponent_chosen_bits_copy2 = 10'd0 == exponent_chosen_bits_d9_copy2;
     wire ay_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1_copy2;
     wire ay_out_inverted = ~zero_is_exponent_chosen_bits_d1_copy2;
     wire ay_out_both = ay_out_in_order & ay_out_inverted;
-    wire exponent_chosen_sign_d11_copy2 = delay_11_from_5_out[17];
+    wire exponent_chosen_sign_d11_copy2 = delay_11_from_6_out[16];
     wire [9:0] ay_out_difference = exponent_chosen_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] exponent_chosen_bits_d11_copy2 = delay_11_from_5_out[32:18];
+    wire [14:0] exponent_chosen_bits_d11_copy2 = delay_11_from_6_out[31:17];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] ay_out_sum = ax_out_sum_bits + {17'd0, not_ay_out_joined_fixed_sign};
     wire [17:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(18'h7fff)) ? ay_out_shifted_d1 : 18'h7fff;
     wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d10_copy2 + 10'd126;
     wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
-    wire by_out_inverted_d11 = delay_11_from_5_out[33];
-    wire by_out_both = by_out_in_order & by_out_inverted_d11;
-    wire exponent_joined_sign_d11_copy2 = delay_11_from_4_out[16];
+    wire by_out_inverted_d10 = delay_10_from_6_out[1];
+    wire by_out_both = by_out_in_order & by_out_inverted_d10;
+    wire exponent_joined_sign_d11_copy2 = delay_11_from_5_out[17];
     wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d11_copy3 = delay_11_from_4_out[31:17];
+    wire [14:0] exponent_joined_bits_d11_copy2 = delay_11_from_5_out[32:18];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] by_out_sum = ax_out_sum_bits + {17'd0, not_by_out_joined_fixed_sign};
     wire [17:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(18'h7fff)) ? by_out_shifted_d1 : 18'h7fff;
     wire [9:0] mx_bits_plus_126 = mx_bits_d10 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d11 = delay_11_from_5_out[34];
-    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d11;
-    wire mx_sign_d11 = delay_11_from_4_out[32];
+    wire not_zero_is_mx_bits_d10 = delay_10_from_6_out[2];
+    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d10;
+    wire mx_sign_d11 = delay_11_from_5_out[33];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d11_copy2 = delay_11_from_4_out[47:33];
+    wire [14:0] mx_bits_d11 = delay_11_from_5_out[48:34];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] mx_out_sum = ax_out_sum_bits + {17'd0, not_mx_out_joined_fixed_sign};
     wire [17:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(18'h7fff)) ? mx_out_shifted_d1 : 18'h7fff;
     wire [9:0] my_bits_plus_126 = my_bits_d10 + 10'd126;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire not_zero_is_my_bits_d11 = delay_11_from_5_out[35];
-    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d11;
-    wire my_sign_d11 = delay_11_from_4_out[48];
+    wire not_zero_is_my_bits_d10 = delay_10_from_6_out[3];
+    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d10;
+    wire my_sign_d11 = delay_11_from_5_out[49];
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
-    wire [14:0] my_bits_d11_copy2 = delay_11_from_4_out[63:49];
+    wire [14:0] my_bits_d11 = delay_11_from_5_out[64:50];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] my_out_sum = ax_out_sum_bits + {17'd0, not_my_out_joined_fixed_sign};
     wire [17:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(18'h7fff)) ? my_out_shifted_d1 : 18'h7fff;
@@ -7640,29 +7638,29 @@ module splat_setup (
     wire [9:0] delta_bits_plus_126 = delta_bits_d11 + 10'd126;
     wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
     wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d10 = delay_10_from_2_out[0];
-    wire not_zero_is_delta_bits_d11 = delay_11_from_5_out[36];
+    wire delta_sign_d10 = delay_10_from_7_out[0];
+    wire not_zero_is_delta_bits_d11 = delay_11_from_6_out[32];
     wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d11;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d10_copy2 = delay_10_from_2_out[15:1];
+    wire [14:0] delta_bits_d10_copy2 = delay_10_from_7_out[15:1];
     wire [21:0] vanishes_sum_bits = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s21q20_unit_y[20];
     wire [21:0] vanishes_sum = vanishes_sum_bits + {21'd0, not_vanishes_joined_fixed_sign};
     wire [21:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(22'h7ffff)) ? vanishes_shifted_d1 : 22'h7ffff;
-    wire turned_d9 = delay_8_from_6_out[0];
-    wire [23:0] exponent_chosen_copy9 = turned_d9 ? exponent_joined_d1_copy3 : exponent_joined_d1;
+    wire turned_d10 = delay_9_from_5_out[0];
+    wire [23:0] exponent_chosen_copy9 = turned_d10 ? exponent_joined_d1_copy5 : exponent_joined_d1;
     wire exponent_chosen_bits_is_255 = {2'd0, exponent_chosen_copy9[22:15]} == 10'd255;
     wire exponent_joined_bits_is_255 = exponent_joined_bits_d1 == 10'd255;
-    wire [23:0] exponent_chosen_copy10 = turned_d9 ? exponent_joined_d1_copy4 : exponent_joined_d1_copy2;
+    wire [23:0] exponent_chosen_copy10 = turned_d10 ? exponent_joined_d1_copy6 : exponent_joined_d1_copy3;
     wire exponent_chosen_bits_is_255_copy2 = {2'd0, exponent_chosen_copy10[22:15]} == 10'd255;
     wire odd_either = exponent_chosen_bits_is_255_d1 | exponent_joined_bits_is_255_d1;
     wire odd_either_copy2 = odd_either | exponent_chosen_bits_is_255_d1_copy2;
     wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy2 == 10'd255;
     wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_copy2;
-    wire mx_bits_is_255_copy2 = mx_bits_d1_copy4 == 10'd255;
-    wire my_bits_is_255_copy2 = my_bits_d1_copy4 == 10'd255;
-    wire odd_either_or_mx_bits_is_255 = odd_either_d1 | mx_bits_is_255_d1_copy2;
-    wire odd_either_copy4 = odd_either_or_mx_bits_is_255 | my_bits_is_255_d1_copy2;
+    wire mx_bits_is_255 = mx_bits_d1 == 10'd255;
+    wire my_bits_is_255 = my_bits_d1 == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_d1 | mx_bits_is_255_d1;
+    wire odd_either_copy4 = odd_either_or_mx_bits_is_255 | my_bits_is_255_d1;
     wire delta_bits_is_255 = delta_bits_d1 == 10'd255;
     wire odd = odd_either_copy4 | delta_bits_is_255;
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(20'd32);
@@ -7671,14 +7669,14 @@ module splat_setup (
     wire not_placed = ~placed_d2;
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
-    wire edge_on_or_not_placed = edge_on | not_placed_d1;
-    wire covers_nothing = vanishes_d1 | delay_11_from_1_out;
-    wire [10:0] sight_near_out_bits_d8 = delay_8_from_7_out[10:0];
-    wire [10:0] sight_near_out_bits_plus_126 = 11'd126 + sight_near_out_bits_d8;
+    wire edge_on_or_not_placed = edge_on | not_placed_d2;
+    wire odd_or_edge_on_or_not_placed_d10 = delay_10_from_6_out[4];
+    wire covers_nothing = vanishes_d1 | odd_or_edge_on_or_not_placed_d10;
+    wire [10:0] sight_near_out_bits_plus_126 = 11'd126 + delay_8_from_5_out;
     wire sight_near_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_near_out_bits_plus_126_d1;
-    wire sight_near_out_bits_is_255 = 11'd255 == sight_near_out_bits_d8;
+    wire sight_near_out_bits_is_255 = 11'd255 == delay_8_from_5_out;
     wire [10:0] sight_near_out_sum = 11'd255 + {1'd0, shift_plus_4_plus_exponent};
-    wire sight_near_out_inverted_d9 = delay_9_from_7_out[24];
+    wire sight_near_out_inverted_d9 = delay_9_from_5_out[77];
     wire sight_near_out_both = sight_near_out_in_order_d1 & sight_near_out_inverted_d9;
     wire sight_near_out_in_order_copy2 = ~(sight_near_out_bits_plus_126_d1 < sight_near_out_sum_d1);
     wire sight_near_out_both_copy2 = sight_near_out_both & sight_near_out_in_order_copy2;
@@ -7688,14 +7686,13 @@ module splat_setup (
     wire sight_near_out_both_copy3 = sight_near_out_both_d1 & not_sight_near_out_bits_is_255_d1;
     wire [10:0] sight_near_out_chosen = sight_near_out_both_copy3 ? 11'd255 : sight_near_out_difference_d1;
     wire [10:0] sight_near_out_chosen_copy2 = sight_near_out_bits_is_255_d1 ? sight_near_out_bits_d9 : sight_near_out_chosen;
-    wire [14:0] sight_near_out_bits_d9_copy2 = delay_9_from_7_out[39:25];
+    wire [14:0] sight_near_out_bits_d9_copy2 = delay_9_from_5_out[92:78];
     wire [14:0] sight_near_out_chosen_copy3 = sight_near_out_both_copy3 ? 15'd0 : sight_near_out_bits_d9_copy2;
-    wire [19:0] sight_near_out_chosen_copy5 = delay_8_from_5_out ? 20'hfffff : to_fixed_f24_ftz_u20q19_unit_y;
-    wire [10:0] abs_sight_far_out_product_bits_d8 = delay_8_from_7_out[21:11];
-    wire [10:0] sight_far_out_sum = 11'd126 + abs_sight_far_out_product_bits_d8;
+    wire [19:0] sight_near_out_chosen_copy5 = delay_7_from_1_out ? 20'hfffff : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [10:0] sight_far_out_sum = 11'd126 + delay_8_from_6_out;
     wire sight_far_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_far_out_sum_d1;
-    wire sight_far_out_same_copy2 = 11'd255 == abs_sight_far_out_product_bits_d8;
-    wire not_sight_far_out_same_d9 = delay_9_from_7_out[41];
+    wire sight_far_out_same_copy2 = 11'd255 == delay_8_from_6_out;
+    wire not_sight_far_out_same_d9 = delay_9_from_6_out[20];
     wire sight_far_out_both = sight_far_out_in_order_d1 & not_sight_far_out_same_d9;
     wire sight_far_out_in_order_copy2 = ~(sight_far_out_sum_d1 < sight_near_out_sum_d1);
     wire sight_far_out_both_copy2 = sight_far_out_both & sight_far_out_in_order_copy2;
@@ -7705,256 +7702,213 @@ module splat_setup (
     wire sight_far_out_both_copy3 = sight_far_out_both_d1 & not_sight_far_out_same_d1;
     wire [10:0] sight_far_out_chosen = sight_far_out_both_copy3 ? 11'd255 : sight_far_out_difference_d1;
     wire [10:0] sight_far_out_chosen_copy2 = sight_far_out_same_d1 ? abs_sight_far_out_product_bits_d9 : sight_far_out_chosen;
-    wire [14:0] abs_sight_far_out_product_bits_d9_copy2 = delay_9_from_7_out[56:42];
+    wire [14:0] abs_sight_far_out_product_bits_d9_copy2 = delay_9_from_6_out[35:21];
     wire [14:0] sight_far_out_chosen_copy3 = sight_far_out_both_copy3 ? 15'd0 : abs_sight_far_out_product_bits_d9_copy2;
-    wire abs_sight_far_out_product_sign_d9 = delay_9_from_7_out[57];
+    wire abs_sight_far_out_product_sign_d9 = delay_9_from_6_out[36];
     wire [22:0] sight_far_out_chosen_copy4 = sight_far_out_either_d1 ? sight_far_out_joined_d1 : 23'd0;
-    wire [19:0] sight_far_out_chosen_copy5 = delay_8_from_0_out ? 20'd0 : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [19:0] sight_far_out_chosen_copy5 = delay_7_from_6_out ? 20'd0 : to_fixed_f24_ftz_u20q19_unit_y;
     wire [19:0] sight_far_out = covers_nothing ? 20'd0 : sight_far_out_chosen_copy5;
-    wire [23:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2;
-    wire [23:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_phase[0] ? 24'd0 : first_sum_product_d1;
-    wire [23:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
-    wire [23:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? first_sum_product_d1 : 24'd0) : max_f24_ftz_unit_a_choice_3;
-    wire [23:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy2[0] ? filter_radius_plus_center_y_d1 : filter_radius_plus_center_x_d1;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy2[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
+    wire [23:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase[0] ? last_y_chosen_d1_copy2 : first_sum_product_d1;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? 24'd0 : 24'd0) : max_f24_ftz_unit_a_choice;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase[0] ? first_sum_product_d1 : last_x_chosen_d1_copy2;
+    wire [23:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_a_choice_5 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_3 : max_f24_ftz_unit_a_choice_4;
+    wire [23:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy2[0] ? first_x_chosen_d1_copy3 : middle_depth_minus_epsilon_d1;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy2[0] ? filter_radius_plus_center_y_d1 : first_difference_sum_d1_copy2;
     wire [23:0] max_f24_ftz_unit_b_choice_3 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
-    wire [23:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy7_y : first_x_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy2[0] ? first_sum_sum_d1_copy3 : filter_radius_plus_center_x_d1;
     wire [23:0] max_f24_ftz_unit_b_choice_5 = max_f24_ftz_unit_phase_copy2[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
     wire [23:0] max_f24_ftz_unit_b_choice_6 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_b_choice_4 : max_f24_ftz_unit_b_choice_5;
-    wire [23:0] max_f24_ftz_unit_copy2_a_choice = max_f24_ftz_unit_copy2_phase[1] ? (max_f24_ftz_unit_copy2_phase[0] ? first_sum_product_d1 : 24'd0) : max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : first_sum_product_d1;
-    wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_a_choice_2 = max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
-    wire [23:0] max_f24_ftz_unit_copy2_a_choice_3 = max_f24_ftz_unit_copy2_phase[1] ? (max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : 24'd0) : max_f24_ftz_unit_copy2_a_choice_2;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice = max_f24_ftz_unit_copy2_phase_copy2[0] ? last_difference_sum_d1 : min_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = max_f24_ftz_unit_copy2_phase_copy2[0] ? first_y_chosen_d1_copy3 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice = max_f24_ftz_unit_copy2_phase[0] ? first_sum_product_d1 : 24'd0;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_2 = max_f24_ftz_unit_copy2_phase[1] ? (max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : 24'd0) : max_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_3 = max_f24_ftz_unit_copy2_phase[0] ? 24'd0 : lt_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_4 = max_f24_ftz_unit_copy2_phase[1] ? max_f24_ftz_unit_copy2_a_choice : max_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = max_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_plus_epsilon_d1 : middle_depth_d1;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = max_f24_ftz_unit_copy2_phase_copy2[0] ? last_difference_sum_d1 : min_f24_ftz_unit_y;
     wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = max_f24_ftz_unit_copy2_phase_copy2[1] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_4 = max_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_plus_epsilon_d1 : middle_depth_minus_epsilon_d1;
-    wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_5 = max_f24_ftz_unit_copy2_phase_copy2[0] ? middle_depth_d1 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_4 = max_f24_ftz_unit_copy2_phase_copy2[0] ? last_sum_sum_d1 : first_y_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_5 = max_f24_ftz_unit_copy2_phase_copy2[0] ? min_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_b_bits;
     wire [23:0] max_f24_ftz_unit_copy2_b_choice_6 = max_f24_ftz_unit_copy2_phase_copy2[1] ? max_f24_ftz_unit_copy2_b_choice_4 : max_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] lt_f24_ftz_unit_a_choice = lt_f24_ftz_unit_phase[1] ? (lt_f24_ftz_unit_phase[0] ? near_plane : 24'h3d0000) : 24'd0;
-    wire [23:0] lt_f24_ftz_unit_b_choice = lt_f24_ftz_unit_phase_copy2[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y;
-    wire [23:0] lt_f24_ftz_unit_b_choice_2 = lt_f24_ftz_unit_phase_copy2[1] ? lt_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy6_y;
-    wire [23:0] lt_f24_ftz_unit_b_choice_3 = lt_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_copy2_y : in_center_z;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = lt_f24_ftz_unit_copy2_phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = lt_f24_ftz_unit_copy2_phase[1] ? lt_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy7_y;
-    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = lt_f24_ftz_unit_copy2_phase[0] ? 24'd0 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] lt_f24_ftz_unit_copy2_b_choice_2 = lt_f24_ftz_unit_copy2_phase[1] ? lt_f24_ftz_unit_copy2_b_choice : 24'd0;
-    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? 24'h3f8000 : center_z_d1) : add_f24_ftz_unit_phase[0] ? delay_5_from_0_out : depth_a;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? origin_x : center_z_d1) : add_f24_ftz_unit_phase[0] ? 24'h3f8000 : center_z_d2;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? center_x_minus_t_x_d4 : depth_a) : add_f24_ftz_unit_phase[0] ? 24'h3f8000 : delay_6_from_1_out;
+    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy3_y : reaches_near_joined_d1;
+    wire [23:0] add_f24_ftz_unit_b_bits = {~mul_mul_add_f24_ftz_unit_y[23], mul_mul_add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_b_bits : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
     wire [23:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? minus_h_x_d1 : mul_f24_ftz_unit_y;
     wire not_depth_a_sign = ~depth_a[23];
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? epsilon_bias : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? {not_depth_a_sign, depth_a[22:0]} : mul_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[0] ? center_y_d5 : delay_7_from_3_out;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? (add_f24_ftz_unit_copy2_phase[0] ? origin_x : center_z_d1) : add_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_y : minus_filter_radius;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase[0] ? origin_x : a_x_joined_times_r_d1;
+    wire [23:0] t_x_minus_t_y_d7 = delay_7_from_2_out[47:24];
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[0] ? spread_middle_d1 : t_x_minus_t_y_d7;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? (add_f24_ftz_unit_copy2_phase[0] ? origin_y : center_x_d1) : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[0] ? mul_mul_add_f24_ftz_unit_copy2_y : center_x_d5;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase[0] ? half_depth_times_epsilon_scale_d1 : spread_middle_d1;
     wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? first_x_joined_d1_copy2 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy7_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? spread_half_d2 : sqrt_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : center_y_d10;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? scale_x_times_v_x_d1 : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_mul_add_f24_ftz_unit_copy2_y : {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? epsilon_bias : {~spread_half_d1[23], spread_half_d1[22:0]};
     wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase[0] ? sqrt_f24_ftz_unit_y : spread_middle_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = add_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_copy3_y : mx_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_5 = add_f24_ftz_unit_copy3_phase[0] ? center_x_d9 : b_x_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_6 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? center_y_minus_t_y_d4 : spread_half_d2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase[1] ? (add_f24_ftz_unit_copy3_phase[0] ? center_y_d1 : center_x_d1) : add_f24_ftz_unit_copy3_phase[0] ? origin_x : sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase[1] ? (add_f24_ftz_unit_copy3_phase[0] ? t_x_d1 : sqrt_f24_ftz_unit_y) : add_f24_ftz_unit_copy3_phase[0] ? center_x_d9 : center_y_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : first_x_joined_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[0] ? first_x_joined_d1_copy2 : {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]};
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : minus_mx_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[0] ? minus_filter_radius : {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_y_d1 : center_x_minus_t_x_d4;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[0] ? minus_filter_radius : first_y_joined_d1;
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_6 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = add_f24_ftz_unit_copy4_phase[0] ? center_y_d1 : center_x_minus_t_x_d4;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = add_f24_ftz_unit_copy4_phase[0] ? root_of_first_sum_sum_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = add_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy4_y : filter_radius;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = add_f24_ftz_unit_copy4_phase[0] ? center_y_minus_t_y_d3 : middle_depth_d2;
     wire [23:0] add_f24_ftz_unit_copy4_a_choice_3 = add_f24_ftz_unit_copy4_phase[1] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_4 = add_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy5_y : my_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_5 = add_f24_ftz_unit_copy4_phase[0] ? filter_radius : a_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_6 = add_f24_ftz_unit_copy4_phase[1] ? add_f24_ftz_unit_copy4_a_choice_4 : add_f24_ftz_unit_copy4_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = add_f24_ftz_unit_copy4_phase_copy2[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : minus_sqrt_f24_ftz_unit_y;
-    wire [23:0] t_x_plus_t_y_d6 = delay_6_from_1_out[24:1];
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = add_f24_ftz_unit_copy4_phase_copy2[0] ? {~t_x_plus_t_y_d6[23], t_x_plus_t_y_d6[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_4 = add_f24_ftz_unit_copy4_phase[0] ? minus_filter_radius : filter_radius;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_5 = add_f24_ftz_unit_copy4_phase[1] ? (add_f24_ftz_unit_copy4_phase[0] ? t_x_d1 : center_y_d6) : add_f24_ftz_unit_copy4_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = add_f24_ftz_unit_copy4_phase_copy2[0] ? first_sum_sum_d1_copy2 : center_x_d8;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = add_f24_ftz_unit_copy4_phase_copy2[0] ? minus_sqrt_f24_ftz_unit_y : {~epsilon_d1[23], epsilon_d1[22:0]};
     wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = add_f24_ftz_unit_copy4_phase_copy2[1] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = add_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : minus_my_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_5 = add_f24_ftz_unit_copy4_phase_copy2[0] ? center_x_d9 : {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_6 = add_f24_ftz_unit_copy4_phase_copy2[1] ? add_f24_ftz_unit_copy4_b_choice_4 : add_f24_ftz_unit_copy4_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = add_f24_ftz_unit_copy5_phase[0] ? center_y_d1 : sqrt_f24_ftz_unit_y;
-    wire [23:0] t_x_minus_t_y_d7 = delay_7_from_4_out[47:24];
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = add_f24_ftz_unit_copy5_phase[0] ? t_x_minus_t_y_d7 : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = add_f24_ftz_unit_copy4_phase_copy2[1] ? minus_t_y_d1 : center_y_d9;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = add_f24_ftz_unit_copy5_phase[0] ? mul_f24_ftz_unit_copy4_y : origin_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = add_f24_ftz_unit_copy5_phase[0] ? sqrt_f24_ftz_unit_y : middle_depth_d2;
     wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = add_f24_ftz_unit_copy5_phase[1] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_4 = add_f24_ftz_unit_copy5_phase[0] ? mul_f24_ftz_unit_copy7_y : t_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_5 = add_f24_ftz_unit_copy5_phase[0] ? origin_y : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_4 = add_f24_ftz_unit_copy5_phase[0] ? root_of_first_sum_sum_d1 : h_x_sum_d1_copy2;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_5 = add_f24_ftz_unit_copy5_phase[0] ? delay_6_from_2_out : unit_delta_product_d1;
     wire [23:0] add_f24_ftz_unit_copy5_a_choice_6 = add_f24_ftz_unit_copy5_phase[1] ? add_f24_ftz_unit_copy5_a_choice_4 : add_f24_ftz_unit_copy5_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = add_f24_ftz_unit_copy5_phase_copy2[0] ? first_y_joined_d1 : center_x_minus_t_x_d4;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = add_f24_ftz_unit_copy5_phase_copy2[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = add_f24_ftz_unit_copy5_phase_copy2[0] ? {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]} : first_y_joined_d1_copy2;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = add_f24_ftz_unit_copy5_phase_copy2[0] ? center_y_minus_t_y_d3 : epsilon_d1;
     wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = add_f24_ftz_unit_copy5_phase_copy2[1] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_4 = add_f24_ftz_unit_copy5_phase_copy2[0] ? mul_f24_ftz_unit_copy8_y : t_y_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_5 = add_f24_ftz_unit_copy5_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_4 = add_f24_ftz_unit_copy5_phase_copy2[0] ? {~t_x_plus_t_y_d7[23], t_x_plus_t_y_d7[22:0]} : mul_mul_add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_5 = add_f24_ftz_unit_copy5_phase_copy2[0] ? sqrt_f24_ftz_unit_y : minus_unit_delta_product_d1;
     wire [23:0] add_f24_ftz_unit_copy5_b_choice_6 = add_f24_ftz_unit_copy5_phase_copy2[1] ? add_f24_ftz_unit_copy5_b_choice_4 : add_f24_ftz_unit_copy5_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice = add_f24_ftz_unit_copy6_phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = add_f24_ftz_unit_copy6_phase[1] ? (add_f24_ftz_unit_copy6_phase[0] ? origin_y : center_x_d1) : add_f24_ftz_unit_copy6_a_choice;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_3 = add_f24_ftz_unit_copy6_phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d3;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_4 = add_f24_ftz_unit_copy6_phase[0] ? center_y_minus_t_y_d4 : mul_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_5 = add_f24_ftz_unit_copy6_phase[1] ? add_f24_ftz_unit_copy6_a_choice_3 : add_f24_ftz_unit_copy6_a_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice = add_f24_ftz_unit_copy6_phase_copy2[0] ? first_y_joined_d1_copy2 : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = add_f24_ftz_unit_copy6_phase_copy2[0] ? {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]} : f_times_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = add_f24_ftz_unit_copy6_phase_copy2[1] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_4 = add_f24_ftz_unit_copy6_phase_copy2[0] ? add_f24_ftz_unit_copy4_y : {~epsilon_d1[23], epsilon_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_5 = add_f24_ftz_unit_copy6_phase_copy2[0] ? minus_h_y_d1 : first_sum_sum_d1_copy2;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_6 = add_f24_ftz_unit_copy6_phase_copy2[1] ? add_f24_ftz_unit_copy6_b_choice_4 : add_f24_ftz_unit_copy6_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice = add_f24_ftz_unit_copy7_phase[0] ? unit_delta_product_d1 : center_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice_2 = add_f24_ftz_unit_copy7_phase[1] ? add_f24_ftz_unit_copy7_a_choice : t_x_plus_t_y_d6;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice_3 = add_f24_ftz_unit_copy7_phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_d3;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice_4 = add_f24_ftz_unit_copy7_phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy7_a_choice_5 = add_f24_ftz_unit_copy7_phase[1] ? add_f24_ftz_unit_copy7_a_choice_3 : add_f24_ftz_unit_copy7_a_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice = add_f24_ftz_unit_copy7_phase_copy2[0] ? {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]} : first_x_joined_d1;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_2 = add_f24_ftz_unit_copy7_phase_copy2[1] ? add_f24_ftz_unit_copy7_b_choice : root_of_first_sum_sum_d1;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_3 = add_f24_ftz_unit_copy7_phase_copy2[0] ? add_f24_ftz_unit_copy6_y : epsilon_d1;
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_4 = add_f24_ftz_unit_copy7_phase_copy2[0] ? center_y_d9 : {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy7_b_choice_5 = add_f24_ftz_unit_copy7_phase_copy2[1] ? add_f24_ftz_unit_copy7_b_choice_3 : add_f24_ftz_unit_copy7_b_choice_4;
-    wire [23:0] reaches_near_sum_d6 = delay_5_from_5_out[23:0];
-    wire [23:0] f_chosen = whole_d1 ? e_d1 : reaches_near_sum_d6;
-    wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? scale_x : r_d1) : mul_f24_ftz_unit_phase[0] ? alpha_d3 : alpha_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? half_depth_d1 : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : q_d5;
-    wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy2_y : depth_b;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy2[0] ? epsilon_scale : mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_phase_copy2[0] ? before_far_sum_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? scale_x : b_depth_d7) : mul_f24_ftz_unit_copy2_phase[0] ? beta_d3 : beta_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_a_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] f_chosen = whole_d1 ? e_d1 : delay_6_from_5_out;
+    wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[0] ? f_times_scale_y_d1 : f_times_scale_x_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_phase[0] ? f_d1 : r_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase[0] ? one_minus_depth_a_d1 : unit_delta_joined_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? alpha_joined_d2 : b_depth_d6) : mul_f24_ftz_unit_a_choice_3;
+    wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[0] ? delay_9_from_0_out : delay_9_from_7_out;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_phase_copy2[0] ? root_of_q_d1 : depth_b;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy2[0] ? recip_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy2[0] ? before_far_sum_d1 : unit_delta_joined_d1_copy4;
+    wire [23:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_4;
+    wire [23:0] abs_b_depth_d7 = delay_7_from_2_out[23:0];
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[1] ? scale_y : mul_f24_ftz_unit_copy2_phase[0] ? abs_b_depth_d7 : q_d4;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[0] ? scale_y : unit_delta_joined_d1_copy2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? beta_joined_d2 : half_depth_d1) : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_mul_add_f24_ftz_unit_copy2_y : mul_mul_add_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? f_times_root_of_q_d1 : recip_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? unit_delta_joined_d1_copy3 : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? recip_f24_ftz_unit_y : epsilon_scale;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : unit_delta_joined_d1_copy3;
     wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] abs_b_depth_d7 = delay_7_from_4_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase[0] ? recip_f24_ftz_unit_y : abs_b_depth_d7;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = mul_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_y : v_x_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = mul_f24_ftz_unit_copy3_phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_4 : mul_f24_ftz_unit_copy3_phase[0] ? filter_radius : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_sum_d2 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase[1] ? (mul_f24_ftz_unit_copy3_phase[0] ? delta_d1 : scale_x) : mul_f24_ftz_unit_copy3_phase[0] ? scale_x : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = mul_f24_ftz_unit_copy3_phase[1] ? v_x_chosen_d3 : mul_f24_ftz_unit_copy3_phase[0] ? scale_x : filter_radius;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? recip_f24_ftz_unit_y : mul_mul_add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_mul_add_f24_ftz_unit_copy2_y : t_x_sum_d2;
     wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_5 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice_4 : mul_f24_ftz_unit_copy3_phase_copy2[0] ? 24'h3fb600 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = mul_f24_ftz_unit_copy4_phase[1] ? (mul_f24_ftz_unit_copy4_phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : mul_f24_ftz_unit_copy4_a_choice;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_3 = mul_f24_ftz_unit_copy4_phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_4 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_3 : mul_f24_ftz_unit_copy4_phase[0] ? delta_d1 : f_times_scale_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? a_x_squared_plus_b_x_squared_d2 : t_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_5 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_6 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice_4 : mul_f24_ftz_unit_copy4_b_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = mul_f24_ftz_unit_copy5_phase[1] ? (mul_f24_ftz_unit_copy5_phase[0] ? scale_y : t_y_d1) : mul_f24_ftz_unit_copy5_phase[0] ? alpha_d3 : b_x_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = mul_f24_ftz_unit_copy5_phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_3 = mul_f24_ftz_unit_copy5_phase[1] ? (mul_f24_ftz_unit_copy5_phase[0] ? scale_y : scale_x) : mul_f24_ftz_unit_copy5_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = mul_f24_ftz_unit_copy5_phase_copy2[0] ? add_f24_ftz_unit_copy4_y : t_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = mul_f24_ftz_unit_copy5_phase_copy2[1] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_4 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_copy3_y : 24'h3fb600;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_5 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? recip_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_phase[0] ? f_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_3 = mul_f24_ftz_unit_copy4_phase[0] ? 24'h3f8008 : delay_7_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_4 = mul_f24_ftz_unit_copy4_phase[1] ? v_y_chosen_d3 : mul_f24_ftz_unit_copy4_a_choice_3;
     wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_5 = mul_f24_ftz_unit_copy5_phase_copy2[0] ? sight_near_out_joined : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_6 = mul_f24_ftz_unit_copy5_phase_copy2[1] ? mul_f24_ftz_unit_copy5_b_choice_4 : mul_f24_ftz_unit_copy5_b_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = mul_f24_ftz_unit_copy6_phase[1] ? (mul_f24_ftz_unit_copy6_phase[0] ? scale_y : t_x_d1) : mul_f24_ftz_unit_copy6_phase[0] ? beta_d3 : v_y_chosen_d3;
-    wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = mul_f24_ftz_unit_copy6_phase[0] ? one_minus_depth_a_d9 : f_times_scale_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_3 = mul_f24_ftz_unit_copy6_phase[1] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = mul_f24_ftz_unit_copy6_phase_copy2[0] ? add_f24_ftz_unit_copy5_y : t_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = mul_f24_ftz_unit_copy6_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = mul_f24_ftz_unit_copy6_phase_copy2[1] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
-    wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_4 = mul_f24_ftz_unit_copy6_phase_copy2[0] ? delta_times_one_over_b_depth_d1 : first_y_chosen_d9;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_5 = mul_f24_ftz_unit_copy6_phase_copy2[1] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy6_b_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = mul_f24_ftz_unit_copy7_phase[0] ? mul_f24_ftz_unit_copy5_y : a_y_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_2 = mul_f24_ftz_unit_copy7_phase[1] ? (mul_f24_ftz_unit_copy7_phase[0] ? recip_f24_ftz_unit_y : a_x_d1) : mul_f24_ftz_unit_copy7_a_choice;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_3 = mul_f24_ftz_unit_copy7_phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_4 = mul_f24_ftz_unit_copy7_phase[1] ? mul_f24_ftz_unit_copy7_a_choice_3 : unit_delta_joined_d1;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = mul_f24_ftz_unit_copy7_phase_copy2[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = mul_f24_ftz_unit_copy7_phase_copy2[1] ? (mul_f24_ftz_unit_copy7_phase_copy2[0] ? t_y_sum_d2 : a_y_d1) : mul_f24_ftz_unit_copy7_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_3 = mul_f24_ftz_unit_copy7_phase_copy2[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_4 = mul_f24_ftz_unit_copy7_phase_copy2[1] ? mul_f24_ftz_unit_copy7_b_choice_3 : unit_delta_joined_d1_copy4;
-    wire [23:0] mul_f24_ftz_unit_copy8_a_choice = mul_f24_ftz_unit_copy8_phase[0] ? mul_f24_ftz_unit_copy6_y : b_y_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy8_a_choice_2 = mul_f24_ftz_unit_copy8_phase[1] ? (mul_f24_ftz_unit_copy8_phase[0] ? recip_f24_ftz_unit_y : b_x_d1) : mul_f24_ftz_unit_copy8_a_choice;
-    wire [23:0] mul_f24_ftz_unit_copy8_b_choice = mul_f24_ftz_unit_copy8_phase_copy2[0] ? a_y_squared_plus_b_y_squared_d2 : b_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_2 = mul_f24_ftz_unit_copy8_phase_copy2[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_3 = mul_f24_ftz_unit_copy8_phase_copy2[1] ? mul_f24_ftz_unit_copy8_b_choice : mul_f24_ftz_unit_copy8_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy8_b_choice_4 = mul_f24_ftz_unit_copy8_phase_copy2[1] ? add_f24_ftz_unit_copy6_y : first_sum_sum_d2;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = sqrt_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_copy6_y : sqrt_f24_ftz_unit_a_choice;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_3 = sqrt_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy3_y : first_difference_sum_d1;
-    wire [23:0] min_f24_ftz_unit_a_choice = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h470000 : first_x_chosen_d1_copy2) : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h45fff8 : 24'h45fff8) : min_f24_ftz_unit_phase[0] ? first_y_chosen_d1_copy2 : 24'h470000;
-    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[0] ? first_sum_chosen_d1 : center_x_minus_filter_radius_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice : {1'd0, mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[0] ? last_y_chosen_d1_copy3 : last_x_chosen_d1_copy3;
-    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy2_y : last_sum_chosen_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? sight_near_out_joined : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_phase_copy2[0] ? scale_x : t_y_sum_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? add_f24_ftz_unit_copy5_y : delta_times_one_over_b_depth_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? recip_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_b_choice_3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice = mul_mul_add_f24_ftz_unit_phase[0] ? unit_delta_joined_d2 : t_y_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice_2 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice : mul_mul_add_f24_ftz_unit_phase[0] ? a_y_d1 : alpha_d3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice_3 = mul_mul_add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y : alpha_d3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice_4 = mul_mul_add_f24_ftz_unit_phase[1] ? (mul_mul_add_f24_ftz_unit_phase[0] ? t_x_d1 : a_y_joined_d3) : mul_mul_add_f24_ftz_unit_a_choice_3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? (mul_mul_add_f24_ftz_unit_phase_copy2[0] ? mx_joined_d1 : t_y_d1) : mul_mul_add_f24_ftz_unit_phase_copy2[0] ? a_y_d1 : a_x_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y : a_y_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? (mul_mul_add_f24_ftz_unit_phase_copy2[0] ? t_x_d1 : r_d1) : mul_mul_add_f24_ftz_unit_b_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_bits = {~unit_delta_joined_d1_copy4[23], unit_delta_joined_d1_copy4[22:0]};
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? mul_mul_add_f24_ftz_unit_c_bits : f_d2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y : beta_d3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_c_choice : mul_mul_add_f24_ftz_unit_c_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? f_d1 : {~alpha_d1[23], alpha_d1[22:0]};
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_c_choice_4 : mul_mul_add_f24_ftz_unit_c_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? mx_joined_d1_copy2 : h_y_sum_d3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? mul_mul_add_f24_ftz_unit_d_choice : mul_mul_add_f24_ftz_unit_d_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y : b_y_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? (mul_mul_add_f24_ftz_unit_phase_copy4[0] ? h_x_sum_d3 : v_y_d1) : mul_mul_add_f24_ftz_unit_d_choice_4;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_a_choice = mul_mul_add_f24_ftz_unit_copy2_phase[1] ? (mul_mul_add_f24_ftz_unit_copy2_phase[0] ? t_x_d1 : a_x_d1) : a_x_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_a_choice_2 = mul_mul_add_f24_ftz_unit_copy2_phase[0] ? b_y_joined_d3 : b_x_joined_d3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_a_choice_3 = mul_mul_add_f24_ftz_unit_copy2_phase[0] ? a_x_joined_d3 : unit_delta_joined_d2_copy2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_a_choice_4 = mul_mul_add_f24_ftz_unit_copy2_phase[1] ? mul_mul_add_f24_ftz_unit_copy2_a_choice_2 : mul_mul_add_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_b_choice = mul_mul_add_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy2[0] ? t_y_d1 : a_y_d1) : a_x_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_b_choice_2 = mul_mul_add_f24_ftz_unit_copy2_phase_copy2[0] ? r_d1 : mx_joined_d1_copy2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_b_choice_3 = mul_mul_add_f24_ftz_unit_copy2_phase_copy2[1] ? r_d1 : mul_mul_add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_c_choice = mul_mul_add_f24_ftz_unit_copy2_phase_copy3[1] ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy3[0] ? f_d2 : b_x_d1) : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] minus_beta_d1 = {~beta_d1[23], beta_d1[22:0]};
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_c_choice_2 = mul_mul_add_f24_ftz_unit_copy2_phase_copy3[0] ? minus_beta_d1 : minus_beta_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_c_choice_3 = mul_mul_add_f24_ftz_unit_copy2_phase_copy3[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]} : minus_unit_delta_joined_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_c_choice_4 = mul_mul_add_f24_ftz_unit_copy2_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_copy2_c_choice_2 : mul_mul_add_f24_ftz_unit_copy2_c_choice_3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_d_choice = mul_mul_add_f24_ftz_unit_copy2_phase_copy4[0] ? first_sum_sum_d3 : b_y_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_d_choice_2 = mul_mul_add_f24_ftz_unit_copy2_phase_copy4[1] ? mul_mul_add_f24_ftz_unit_copy2_d_choice : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_d_choice_3 = mul_mul_add_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y : mx_joined_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_copy2_d_choice_4 = mul_mul_add_f24_ftz_unit_copy2_phase_copy4[1] ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy4[0] ? v_y_d1 : v_x_d1) : mul_mul_add_f24_ftz_unit_copy2_d_choice_3;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[0] ? mul_mul_add_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = sqrt_f24_ftz_unit_phase[1] ? (sqrt_f24_ftz_unit_phase[0] ? q_d1 : mul_mul_add_f24_ftz_unit_y) : first_difference_sum_d1;
+    wire [23:0] min_f24_ftz_unit_a_choice = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h470000 : 24'h45fff8) : first_y_chosen_d1_copy2;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? first_x_chosen_d1_copy2 : 24'h3f8000) : min_f24_ftz_unit_phase[0] ? 24'h45fff8 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[0] ? first_sum_chosen_d1 : last_x_chosen_d1_copy3;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice : center_y_minus_filter_radius_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[0] ? center_x_minus_filter_radius_d1 : {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[0] ? last_y_chosen_d1_copy3 : last_sum_chosen_d1;
     wire [23:0] min_f24_ftz_unit_b_choice_5 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice_3 : min_f24_ftz_unit_b_choice_4;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = to_fixed_f24_ftz_u21q8_unit_phase[0] ? first_y_greater_d1 : max_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = to_fixed_f24_ftz_u21q8_unit_phase[1] ? last_y_greater_d1 : to_fixed_f24_ftz_u21q8_unit_a_choice;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = to_fixed_f24_ftz_s17q16_unit_phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = to_fixed_f24_ftz_s17q16_unit_phase[0] ? ay_out_joined_d1 : bx_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_3 = to_fixed_f24_ftz_s17q16_unit_phase[1] ? to_fixed_f24_ftz_s17q16_unit_a_choice : to_fixed_f24_ftz_s17q16_unit_a_choice_2;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_4 = to_fixed_f24_ftz_s17q16_unit_phase[1] ? ax_out_joined_d1 : my_out_joined_d1;
-    wire sight_near_out_bits_d9_copy3 = delay_9_from_7_out[40];
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = to_fixed_f24_ftz_s17q16_unit_phase[0] ? my_out_joined_d1 : mx_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = to_fixed_f24_ftz_s17q16_unit_phase[0] ? by_out_joined_d1 : ay_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_3 = to_fixed_f24_ftz_s17q16_unit_phase[0] ? bx_out_joined_d1 : ax_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_4 = to_fixed_f24_ftz_s17q16_unit_phase[1] ? to_fixed_f24_ftz_s17q16_unit_a_choice_2 : to_fixed_f24_ftz_s17q16_unit_a_choice_3;
+    wire sight_near_out_bits_d9_copy3 = delay_9_from_5_out[93];
     wire [22:0] sight_near_out_chosen_copy4 = sight_near_out_either_d1 ? sight_near_out_joined_d1 : 23'd0;
-    wire all_before_far = beyond_near;
-    wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
-    wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_y;
-    wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy2_y : lt_f24_ftz_unit_y;
-    wire center_x_bits_below_140 = {3'd0, add_f24_ftz_unit_copy2_y[22:15]} < 11'd140;
-    wire center_y_bits_below_140 = {3'd0, add_f24_ftz_unit_copy5_y[22:15]} < 11'd140;
-    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
-    wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy2_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
-    wire odd_or_edge_on_or_not_placed = odd_d1 | edge_on_or_not_placed_d2;
-    wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy2_y;
-    wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy2_y : first_y_in_order_d1_copy3;
-    wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_y;
-    wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
-    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
-    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
-    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
-    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
-    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
-    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy2;
-    wire by_out_inverted = ~zero_is_exponent_joined_bits_copy2;
-    wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
-    wire bx_out_inverted = ~zero_is_exponent_joined_bits;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = to_fixed_f24_ftz_u24q24_unit_phase[0] ? max_f24_ftz_unit_copy2_y : depth_low_out_greater_d1;
+    wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy8_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
+    wire visible_unequal_d9 = delay_9_from_5_out[26];
+    wire visible_unequal_copy3 = sight_negative_out_d1 ^ visible_unequal_d9;
+    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy3;
+    wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy9_y;
+    wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy9_y : first_y_in_order_d1_copy3;
+    wire [25:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 26'h2000000;
+    wire [25:0] center_x_out = placed_d2 ? center_x_out_lesser_d1 : 26'h2000000;
+    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_copy2_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d4 & before_far_both;
+    wire before_far = before_far_both | before_far_in_order_d1;
     wire [26:0] first_difference_difference_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
     wire [26:0] first_difference_difference_bits_2 = {{5{to_fixed_f24_ftz_s22q8_unit_y[21]}}, to_fixed_f24_ftz_s22q8_unit_y};
     wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
     wire [26:0] first_sum_sum_copy2 = first_difference_difference_bits + first_difference_difference_bits_2;
-    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
+    wire [10:0] delay_8_from_5_data_bits = {3'd0, mul_f24_ftz_unit_copy4_y[22:15]};
+    wire zero_is_sight_near_out_bits = 11'd0 == delay_8_from_5_data_bits;
+    wire sight_near_out_inverted = ~zero_is_sight_near_out_bits;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
     wire swapped_and_turned = swapped_d1 & turned;
     wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
-    wire [25:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 26'h2000000;
-    wire [25:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 26'h2000000;
-    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
-    wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
-    wire before_far = before_far_both | before_far_in_order_d2;
-    wire sight_far_out_same = zero_is_b_y_bits;
-    wire not_sight_far_out_same = ~sight_far_out_same;
-    wire zero_is_sight_near_out_bits = zero_is_a_y_bits;
-    wire sight_near_out_inverted = ~zero_is_sight_near_out_bits;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
     wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
-    wire visible_unequal_copy3 = sight_negative_out_d1 ^ delay_9_from_6_out;
-    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy3;
+    wire all_before_far = delay_6_from_6_out & le_f24_ftz_unit_copy4_y;
+    wire sight_far_out_same = zero_is_sight_near_out_bits;
+    wire not_sight_far_out_same = ~sight_far_out_same;
+    wire odd_or_edge_on_or_not_placed = odd_d1 | edge_on_or_not_placed_d2;
+    wire zero_is_my_bits = 10'd0 == my_bits_d1;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire zero_is_mx_bits = 10'd0 == mx_bits_d1;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy2;
+    wire by_out_inverted = ~zero_is_exponent_joined_bits_copy2;
+    wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
+    wire bx_out_inverted = ~zero_is_exponent_joined_bits;
+    wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
+    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
+    wire whole_and_first_sum_both = whole & first_sum_both_d1;
+    wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_copy6_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
+    wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_copy6_y : lt_f24_ftz_unit_copy7_y;
+    wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy7_y : lt_f24_ftz_unit_copy6_y;
+    wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_copy4_y;
 
     assign {out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by} = queue_1_out_data;
     assign {
@@ -7977,12 +7931,40 @@ module splat_setup (
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b), .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(in_center_z), .y(lt_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_copy2_a), .b(lt_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_copy2_a_bits), .b(lt_f24_ftz_unit_copy2_b_bits),
         .y(lt_f24_ftz_unit_copy2_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(center_z_d1), .b(max_f24_ftz_unit_copy2_y), .y(lt_f24_ftz_unit_copy3_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy4 (
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_copy4_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy5 (
+        .clk(clk), .enable(1'd1), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_copy5_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy6 (
+        .clk(clk), .enable(1'd1), .a(24'd0), .b(add_f24_ftz_unit_copy2_y), .y(lt_f24_ftz_unit_copy6_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy7 (
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_y), .b(24'd0), .y(lt_f24_ftz_unit_copy7_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy8 (
+        .clk(clk), .enable(1'd1), .a(24'd0), .b(add_f24_ftz_unit_copy3_y), .y(lt_f24_ftz_unit_copy8_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy9 (
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_y), .b(24'd0), .y(lt_f24_ftz_unit_copy9_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
@@ -8009,16 +7991,6 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy6_a), .b(add_f24_ftz_unit_copy6_b),
-        .y(add_f24_ftz_unit_copy6_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy7_a), .b(add_f24_ftz_unit_copy7_b),
-        .y(add_f24_ftz_unit_copy7_y)
-    );
-
     float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
@@ -8042,24 +8014,15 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
-        .y(mul_f24_ftz_unit_copy5_y)
+    float_mul_mul_add_f24ftz_v2 mul_mul_add_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
+        .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
 
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
-        .y(mul_f24_ftz_unit_copy6_y)
-    );
-
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_a), .b(mul_f24_ftz_unit_copy7_b),
-        .y(mul_f24_ftz_unit_copy7_y)
-    );
-
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy8_a), .b(mul_f24_ftz_unit_copy8_b),
-        .y(mul_f24_ftz_unit_copy8_y)
+    float_mul_mul_add_f24ftz_v2 mul_mul_add_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_copy2_a), .b(mul_mul_add_f24_ftz_unit_copy2_b),
+        .c(mul_mul_add_f24_ftz_unit_copy2_c), .d(mul_mul_add_f24_ftz_unit_copy2_d),
+        .y(mul_mul_add_f24_ftz_unit_copy2_y)
     );
 
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
@@ -8067,7 +8030,19 @@ module splat_setup (
     );
 
     float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b), .y(le_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(24'd0), .b(add_f24_ftz_unit_copy2_y), .y(le_f24_ftz_unit_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_y), .b(24'h3f8000), .y(le_f24_ftz_unit_copy2_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(depth_b), .b(before_far_joined_d1), .y(le_f24_ftz_unit_copy3_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit_copy4 (
+        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_y), .b(24'h3f8000), .y(le_f24_ftz_unit_copy4_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
@@ -8111,75 +8086,76 @@ module splat_setup (
         .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u24q24_unit_a), .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
 
-    stream_fifo_d23_w117_distributed queue_1 (
+    stream_fifo_d22_w117_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({end_d22, center_x_out_d15, center_y_out_d14, ax_out, bx_out, ay_out, by_out}),
+        .in_data({end_d22, center_x_out_d14, center_y_out_d14, ax_out, bx_out, ay_out, by_out}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d23_w123_distributed queue_2 (
+    stream_fifo_d22_w123_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({
-            delta_out, mx_out, my_out, shift_d3, sight_negative_out_d13, sight_near_out, sight_far_out_d1,
-            turned_d21, sight_disc_out_d16, delay_7_from_0_out
+            delta_out, mx_out, my_out, shift_d3, delay_12_from_7_out, sight_near_out, sight_far_out_d1,
+            turned_d21, sight_disc_out_d16, delay_7_from_5_out
         }),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d23_w120_distributed queue_3 (
+    stream_fifo_d22_w120_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({
-            depth_low_out_d4, depth_high_out_d4, attribute_0_d22, attribute_1_d22, attribute_2_d22,
-            delay_5_from_1_out, last_x_d4, first_y_d5, last_y_d4
+            depth_low_out_d3, depth_high_out_d3, attribute_0_d22, attribute_1_d22, attribute_2_d22, first_x_d5,
+            last_x_d5, delay_5_from_1_out, last_y_d4
         }),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
-    stream_fifo_d23_w40_distributed queue_4 (
+    stream_fifo_d22_w40_distributed queue_4 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
-        .in_data({first_sum_out_d1, last_sum_out_d2, first_difference_out_d1, last_difference_out_d1}),
+        .in_data({first_sum_out_d1, last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
         .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 6'd22;
+            credits <= 6'd21;
             phases_1 <= 8'd1;
-            delay_5_from_0_pointer <= 2'd0;
             delay_7_from_0_pointer <= 3'd0;
-            delay_8_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
-            delay_11_from_0_pointer <= 4'd0;
-            delay_14_from_0_pointer <= 4'd0;
-            phases_2 <= 8'd1;
+            delay_12_from_0_pointer <= 4'd0;
+            delay_21_from_0_pointer <= 5'd0;
             delay_22_from_0_pointer <= 5'd0;
             delay_5_from_1_pointer <= 2'd0;
             delay_6_from_1_pointer <= 3'd0;
-            delay_9_from_1_pointer <= 3'd0;
+            delay_7_from_1_pointer <= 3'd0;
             delay_11_from_1_pointer <= 4'd0;
-            delay_10_from_2_pointer <= 4'd0;
-            delay_11_from_2_pointer <= 4'd0;
-            delay_19_from_2_pointer <= 5'd0;
-            delay_7_from_3_pointer <= 3'd0;
-            delay_5_from_4_pointer <= 2'd0;
-            delay_7_from_4_pointer <= 3'd0;
-            delay_9_from_4_pointer <= 3'd0;
-            delay_11_from_4_pointer <= 4'd0;
-            delay_5_from_5_pointer <= 2'd0;
+            delay_6_from_2_pointer <= 3'd0;
+            delay_7_from_2_pointer <= 3'd0;
+            delay_10_from_3_pointer <= 4'd0;
+            delay_11_from_3_pointer <= 4'd0;
+            delay_12_from_3_pointer <= 4'd0;
+            delay_14_from_3_pointer <= 4'd0;
+            delay_8_from_4_pointer <= 3'd0;
+            delay_6_from_5_pointer <= 3'd0;
             delay_7_from_5_pointer <= 3'd0;
             delay_8_from_5_pointer <= 3'd0;
-            delay_10_from_5_pointer <= 4'd0;
+            phases_2 <= 8'd1;
+            delay_9_from_5_pointer <= 3'd0;
+            phases_3 <= 8'd1;
             delay_11_from_5_pointer <= 4'd0;
-            delay_14_from_5_pointer <= 4'd0;
+            delay_5_from_6_pointer <= 2'd0;
+            delay_6_from_6_pointer <= 3'd0;
+            delay_7_from_6_pointer <= 3'd0;
             delay_8_from_6_pointer <= 3'd0;
             delay_9_from_6_pointer <= 3'd0;
             delay_10_from_6_pointer <= 4'd0;
             delay_11_from_6_pointer <= 4'd0;
-            delay_12_from_6_pointer <= 4'd0;
-            delay_8_from_7_pointer <= 3'd0;
+            delay_14_from_6_pointer <= 4'd0;
             delay_9_from_7_pointer <= 3'd0;
-            delay_13_from_7_pointer <= 4'd0;
-            phases_3 <= 8'd1;
+            delay_10_from_7_pointer <= 4'd0;
+            delay_11_from_7_pointer <= 4'd0;
+            delay_12_from_7_pointer <= 4'd0;
+            delay_19_from_7_pointer <= 5'd0;
             phases_4 <= 8'd1;
             phases_5 <= 8'd1;
             phases_6 <= 8'd1;
@@ -8197,9 +8173,6 @@ module splat_setup (
             max_f24_ftz_unit_phase_copy2 <= 3'd0;
             max_f24_ftz_unit_copy2_phase <= 3'd0;
             max_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
-            lt_f24_ftz_unit_phase <= 3'd0;
-            lt_f24_ftz_unit_phase_copy2 <= 3'd0;
-            lt_f24_ftz_unit_copy2_phase <= 3'd0;
             add_f24_ftz_unit_phase <= 3'd0;
             add_f24_ftz_unit_phase_copy2 <= 3'd0;
             add_f24_ftz_unit_copy2_phase <= 3'd0;
@@ -8210,10 +8183,6 @@ module splat_setup (
             add_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
             add_f24_ftz_unit_copy5_phase <= 3'd0;
             add_f24_ftz_unit_copy5_phase_copy2 <= 3'd0;
-            add_f24_ftz_unit_copy6_phase <= 3'd0;
-            add_f24_ftz_unit_copy6_phase_copy2 <= 3'd0;
-            add_f24_ftz_unit_copy7_phase <= 3'd0;
-            add_f24_ftz_unit_copy7_phase_copy2 <= 3'd0;
             recip_f24_ftz_unit_phase <= 3'd0;
             mul_f24_ftz_unit_phase <= 3'd0;
             mul_f24_ftz_unit_phase_copy2 <= 3'd0;
@@ -8223,16 +8192,15 @@ module splat_setup (
             mul_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
             mul_f24_ftz_unit_copy4_phase <= 3'd0;
             mul_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy5_phase <= 3'd0;
-            mul_f24_ftz_unit_copy5_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy6_phase <= 3'd0;
-            mul_f24_ftz_unit_copy6_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy7_phase <= 3'd0;
-            mul_f24_ftz_unit_copy7_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy8_phase <= 3'd0;
-            mul_f24_ftz_unit_copy8_phase_copy2 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_copy2_phase <= 3'd0;
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy3 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy4 <= 3'd0;
             sqrt_f24_ftz_unit_phase <= 3'd0;
-            le_f24_ftz_unit_phase <= 3'd0;
             min_f24_ftz_unit_phase <= 3'd0;
             min_f24_ftz_unit_phase_copy2 <= 3'd0;
             min_f24_ftz_unit_copy2_phase <= 3'd0;
@@ -8242,6 +8210,7 @@ module splat_setup (
             to_fixed_f24_ftz_s27q13_unit_phase <= 3'd0;
             to_fixed_f24_ftz_s17q16_unit_phase <= 3'd0;
             to_fixed_f24_ftz_u20q19_unit_phase <= 3'd0;
+            to_fixed_f24_ftz_u24q24_unit_phase <= 3'd0;
             in_flight <= 22'd0;
             left <= 1'd0;
             dropped <= 1'd0;
@@ -8267,9 +8236,6 @@ module splat_setup (
             max_f24_ftz_unit_phase_copy2 <= (max_f24_ftz_unit_phase_copy2 == 3'd7) ? (max_f24_ftz_unit_phase_copy2 - 3'd7) : (max_f24_ftz_unit_phase_copy2 + 3'd1);
             max_f24_ftz_unit_copy2_phase <= (max_f24_ftz_unit_copy2_phase == 3'd7) ? (max_f24_ftz_unit_copy2_phase - 3'd7) : (max_f24_ftz_unit_copy2_phase + 3'd1);
             max_f24_ftz_unit_copy2_phase_copy2 <= (max_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (max_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (max_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
-            lt_f24_ftz_unit_phase <= (lt_f24_ftz_unit_phase == 3'd7) ? (lt_f24_ftz_unit_phase - 3'd7) : (lt_f24_ftz_unit_phase + 3'd1);
-            lt_f24_ftz_unit_phase_copy2 <= (lt_f24_ftz_unit_phase_copy2 == 3'd7) ? (lt_f24_ftz_unit_phase_copy2 - 3'd7) : (lt_f24_ftz_unit_phase_copy2 + 3'd1);
-            lt_f24_ftz_unit_copy2_phase <= (lt_f24_ftz_unit_copy2_phase == 3'd7) ? (lt_f24_ftz_unit_copy2_phase - 3'd7) : (lt_f24_ftz_unit_copy2_phase + 3'd1);
             add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 3'd7) ? (add_f24_ftz_unit_phase - 3'd7) : (add_f24_ftz_unit_phase + 3'd1);
             add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_phase_copy2 - 3'd7) : (add_f24_ftz_unit_phase_copy2 + 3'd1);
             add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 3'd7) ? (add_f24_ftz_unit_copy2_phase - 3'd7) : (add_f24_ftz_unit_copy2_phase + 3'd1);
@@ -8280,10 +8246,6 @@ module splat_setup (
             add_f24_ftz_unit_copy4_phase_copy2 <= (add_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
             add_f24_ftz_unit_copy5_phase <= (add_f24_ftz_unit_copy5_phase == 3'd7) ? (add_f24_ftz_unit_copy5_phase - 3'd7) : (add_f24_ftz_unit_copy5_phase + 3'd1);
             add_f24_ftz_unit_copy5_phase_copy2 <= (add_f24_ftz_unit_copy5_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy5_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy5_phase_copy2 + 3'd1);
-            add_f24_ftz_unit_copy6_phase <= (add_f24_ftz_unit_copy6_phase == 3'd7) ? (add_f24_ftz_unit_copy6_phase - 3'd7) : (add_f24_ftz_unit_copy6_phase + 3'd1);
-            add_f24_ftz_unit_copy6_phase_copy2 <= (add_f24_ftz_unit_copy6_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy6_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy6_phase_copy2 + 3'd1);
-            add_f24_ftz_unit_copy7_phase <= (add_f24_ftz_unit_copy7_phase == 3'd7) ? (add_f24_ftz_unit_copy7_phase - 3'd7) : (add_f24_ftz_unit_copy7_phase + 3'd1);
-            add_f24_ftz_unit_copy7_phase_copy2 <= (add_f24_ftz_unit_copy7_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy7_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy7_phase_copy2 + 3'd1);
             recip_f24_ftz_unit_phase <= (recip_f24_ftz_unit_phase == 3'd7) ? (recip_f24_ftz_unit_phase - 3'd7) : (recip_f24_ftz_unit_phase + 3'd1);
             mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
             mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_phase_copy2 + 3'd1);
@@ -8293,16 +8255,15 @@ module splat_setup (
             mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
             mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 3'd7) ? (mul_f24_ftz_unit_copy4_phase - 3'd7) : (mul_f24_ftz_unit_copy4_phase + 3'd1);
             mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy5_phase <= (mul_f24_ftz_unit_copy5_phase == 3'd7) ? (mul_f24_ftz_unit_copy5_phase - 3'd7) : (mul_f24_ftz_unit_copy5_phase + 3'd1);
-            mul_f24_ftz_unit_copy5_phase_copy2 <= (mul_f24_ftz_unit_copy5_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy5_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy5_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy6_phase <= (mul_f24_ftz_unit_copy6_phase == 3'd7) ? (mul_f24_ftz_unit_copy6_phase - 3'd7) : (mul_f24_ftz_unit_copy6_phase + 3'd1);
-            mul_f24_ftz_unit_copy6_phase_copy2 <= (mul_f24_ftz_unit_copy6_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy6_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy6_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy7_phase <= (mul_f24_ftz_unit_copy7_phase == 3'd7) ? (mul_f24_ftz_unit_copy7_phase - 3'd7) : (mul_f24_ftz_unit_copy7_phase + 3'd1);
-            mul_f24_ftz_unit_copy7_phase_copy2 <= (mul_f24_ftz_unit_copy7_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy7_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy7_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy8_phase <= (mul_f24_ftz_unit_copy8_phase == 3'd7) ? (mul_f24_ftz_unit_copy8_phase - 3'd7) : (mul_f24_ftz_unit_copy8_phase + 3'd1);
-            mul_f24_ftz_unit_copy8_phase_copy2 <= (mul_f24_ftz_unit_copy8_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy8_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy8_phase_copy2 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase <= (mul_mul_add_f24_ftz_unit_phase == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase - 3'd7) : (mul_mul_add_f24_ftz_unit_phase + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= (mul_mul_add_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy2 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= (mul_mul_add_f24_ftz_unit_phase_copy3 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy3 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy3 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= (mul_mul_add_f24_ftz_unit_phase_copy4 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy4 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy4 + 3'd1);
+            mul_mul_add_f24_ftz_unit_copy2_phase <= (mul_mul_add_f24_ftz_unit_copy2_phase == 3'd7) ? (mul_mul_add_f24_ftz_unit_copy2_phase - 3'd7) : (mul_mul_add_f24_ftz_unit_copy2_phase + 3'd1);
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy2 <= (mul_mul_add_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_mul_add_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy3 <= (mul_mul_add_f24_ftz_unit_copy2_phase_copy3 == 3'd7) ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy3 - 3'd7) : (mul_mul_add_f24_ftz_unit_copy2_phase_copy3 + 3'd1);
+            mul_mul_add_f24_ftz_unit_copy2_phase_copy4 <= (mul_mul_add_f24_ftz_unit_copy2_phase_copy4 == 3'd7) ? (mul_mul_add_f24_ftz_unit_copy2_phase_copy4 - 3'd7) : (mul_mul_add_f24_ftz_unit_copy2_phase_copy4 + 3'd1);
             sqrt_f24_ftz_unit_phase <= (sqrt_f24_ftz_unit_phase == 3'd7) ? (sqrt_f24_ftz_unit_phase - 3'd7) : (sqrt_f24_ftz_unit_phase + 3'd1);
-            le_f24_ftz_unit_phase <= (le_f24_ftz_unit_phase == 3'd7) ? (le_f24_ftz_unit_phase - 3'd7) : (le_f24_ftz_unit_phase + 3'd1);
             min_f24_ftz_unit_phase <= (min_f24_ftz_unit_phase == 3'd7) ? (min_f24_ftz_unit_phase - 3'd7) : (min_f24_ftz_unit_phase + 3'd1);
             min_f24_ftz_unit_phase_copy2 <= (min_f24_ftz_unit_phase_copy2 == 3'd7) ? (min_f24_ftz_unit_phase_copy2 - 3'd7) : (min_f24_ftz_unit_phase_copy2 + 3'd1);
             min_f24_ftz_unit_copy2_phase <= (min_f24_ftz_unit_copy2_phase == 3'd7) ? (min_f24_ftz_unit_copy2_phase - 3'd7) : (min_f24_ftz_unit_copy2_phase + 3'd1);
@@ -8312,84 +8273,89 @@ module splat_setup (
             to_fixed_f24_ftz_s27q13_unit_phase <= (to_fixed_f24_ftz_s27q13_unit_phase == 3'd7) ? (to_fixed_f24_ftz_s27q13_unit_phase - 3'd7) : (to_fixed_f24_ftz_s27q13_unit_phase + 3'd1);
             to_fixed_f24_ftz_s17q16_unit_phase <= (to_fixed_f24_ftz_s17q16_unit_phase == 3'd7) ? (to_fixed_f24_ftz_s17q16_unit_phase - 3'd7) : (to_fixed_f24_ftz_s17q16_unit_phase + 3'd1);
             to_fixed_f24_ftz_u20q19_unit_phase <= (to_fixed_f24_ftz_u20q19_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u20q19_unit_phase - 3'd7) : (to_fixed_f24_ftz_u20q19_unit_phase + 3'd1);
+            to_fixed_f24_ftz_u24q24_unit_phase <= (to_fixed_f24_ftz_u24q24_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u24q24_unit_phase - 3'd7) : (to_fixed_f24_ftz_u24q24_unit_phase + 3'd1);
             left <= out_valid & out_ready;
-            dropped <= in_flight_21_and_phases_8_6 & ~end_or_visible_d1;
+            dropped <= in_flight_21_and_phases_4_3 & ~end_or_visible_d1;
             if (phases_1[0]) begin
-                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
-            end
-            if (phases_2[0]) begin
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
                 delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
             end
             if (phases_1[1]) begin
                 delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
-                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
+                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
             end
             if (phases_1[2]) begin
-                delay_10_from_2_pointer <= (delay_10_from_2_pointer == 4'd8) ? (delay_10_from_2_pointer - 4'd8) : (delay_10_from_2_pointer + 4'd1);
-                delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
-                delay_19_from_2_pointer <= (delay_19_from_2_pointer == 5'd17) ? (delay_19_from_2_pointer - 5'd17) : (delay_19_from_2_pointer + 5'd1);
+                delay_6_from_2_pointer <= (delay_6_from_2_pointer == 3'd4) ? (delay_6_from_2_pointer - 3'd4) : (delay_6_from_2_pointer + 3'd1);
+                delay_7_from_2_pointer <= (delay_7_from_2_pointer == 3'd5) ? (delay_7_from_2_pointer - 3'd5) : (delay_7_from_2_pointer + 3'd1);
             end
             if (phases_1[3]) begin
-                delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
+                delay_10_from_3_pointer <= (delay_10_from_3_pointer == 4'd8) ? (delay_10_from_3_pointer - 4'd8) : (delay_10_from_3_pointer + 4'd1);
+                delay_11_from_3_pointer <= (delay_11_from_3_pointer == 4'd9) ? (delay_11_from_3_pointer - 4'd9) : (delay_11_from_3_pointer + 4'd1);
+                delay_12_from_3_pointer <= (delay_12_from_3_pointer == 4'd10) ? (delay_12_from_3_pointer - 4'd10) : (delay_12_from_3_pointer + 4'd1);
+                delay_14_from_3_pointer <= (delay_14_from_3_pointer == 4'd12) ? (delay_14_from_3_pointer - 4'd12) : (delay_14_from_3_pointer + 4'd1);
             end
             if (phases_1[4]) begin
-                delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
-                delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
-                delay_9_from_4_pointer <= (delay_9_from_4_pointer == 3'd7) ? (delay_9_from_4_pointer - 3'd7) : (delay_9_from_4_pointer + 3'd1);
-            end
-            if (phases_2[4]) begin
-                delay_11_from_4_pointer <= (delay_11_from_4_pointer == 4'd9) ? (delay_11_from_4_pointer - 4'd9) : (delay_11_from_4_pointer + 4'd1);
+                delay_8_from_4_pointer <= (delay_8_from_4_pointer == 3'd6) ? (delay_8_from_4_pointer - 3'd6) : (delay_8_from_4_pointer + 3'd1);
             end
             if (phases_1[5]) begin
-                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+                delay_6_from_5_pointer <= (delay_6_from_5_pointer == 3'd4) ? (delay_6_from_5_pointer - 3'd4) : (delay_6_from_5_pointer + 3'd1);
                 delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
                 delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
-                delay_10_from_5_pointer <= (delay_10_from_5_pointer == 4'd8) ? (delay_10_from_5_pointer - 4'd8) : (delay_10_from_5_pointer + 4'd1);
-                delay_11_from_5_pointer <= (delay_11_from_5_pointer == 4'd9) ? (delay_11_from_5_pointer - 4'd9) : (delay_11_from_5_pointer + 4'd1);
             end
             if (phases_2[5]) begin
-                delay_14_from_5_pointer <= (delay_14_from_5_pointer == 4'd12) ? (delay_14_from_5_pointer - 4'd12) : (delay_14_from_5_pointer + 4'd1);
+                delay_9_from_5_pointer <= (delay_9_from_5_pointer == 3'd7) ? (delay_9_from_5_pointer - 3'd7) : (delay_9_from_5_pointer + 3'd1);
+            end
+            if (phases_3[5]) begin
+                delay_11_from_5_pointer <= (delay_11_from_5_pointer == 4'd9) ? (delay_11_from_5_pointer - 4'd9) : (delay_11_from_5_pointer + 4'd1);
             end
             if (phases_1[6]) begin
+                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
+                delay_6_from_6_pointer <= (delay_6_from_6_pointer == 3'd4) ? (delay_6_from_6_pointer - 3'd4) : (delay_6_from_6_pointer + 3'd1);
+                delay_7_from_6_pointer <= (delay_7_from_6_pointer == 3'd5) ? (delay_7_from_6_pointer - 3'd5) : (delay_7_from_6_pointer + 3'd1);
                 delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
                 delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
+                delay_14_from_6_pointer <= (delay_14_from_6_pointer == 4'd12) ? (delay_14_from_6_pointer - 4'd12) : (delay_14_from_6_pointer + 4'd1);
+            end
+            if (phases_2[6]) begin
                 delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
                 delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
-                delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
             end
             if (phases_1[7]) begin
-                delay_8_from_7_pointer <= (delay_8_from_7_pointer == 3'd6) ? (delay_8_from_7_pointer - 3'd6) : (delay_8_from_7_pointer + 3'd1);
                 delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
-                delay_13_from_7_pointer <= (delay_13_from_7_pointer == 4'd11) ? (delay_13_from_7_pointer - 4'd11) : (delay_13_from_7_pointer + 4'd1);
+                delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
+                delay_11_from_7_pointer <= (delay_11_from_7_pointer == 4'd9) ? (delay_11_from_7_pointer - 4'd9) : (delay_11_from_7_pointer + 4'd1);
+                delay_12_from_7_pointer <= (delay_12_from_7_pointer == 4'd10) ? (delay_12_from_7_pointer - 4'd10) : (delay_12_from_7_pointer + 4'd1);
+                delay_19_from_7_pointer <= (delay_19_from_7_pointer == 5'd17) ? (delay_19_from_7_pointer - 5'd17) : (delay_19_from_7_pointer + 5'd1);
             end
-            if (phases_11[0]) in_flight <= {in_flight[20:0], in_valid_and_in_ready};
+            if (phases_10[0]) in_flight <= {in_flight[20:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
         if (phases_1[0]) begin
-            center_x_d1 <= in_center_x;
+            end_d22 <= delay_21_from_0_out;
+            turned_greater_d1 <= turned_greater;
+            first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy8_y;
             mx_both_d1 <= mx_both;
             mx_both_d1_copy2 <= mx_both_copy2;
-            visible_both_d1 <= visible_both_copy2;
-            visible_both_d2 <= visible_both_d1;
-            visible_both_d3 <= visible_both_d2;
-            visible_both_d1_copy2 <= visible_both_copy3;
-            placed_d1 <= placed;
-            placed_d2 <= placed_d1;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            end_or_visible_d1 <= end_or_visible;
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
         end
         if (phases_2[0]) begin
+            center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
+            center_z_d2 <= center_z_d1;
             tangent1_x_d1 <= in_tangent1_x;
-            turned_greater_d1 <= turned_greater;
-            vanishes_d1 <= vanishes;
+            mx_chosen_d1 <= mx_chosen[7:0];
         end
         if (phases_3[0]) begin
             tangent1_y_d1 <= in_tangent1_y;
@@ -8397,15 +8363,11 @@ module splat_setup (
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
         end
-        if (phases_1[3]) begin
+        if (phases_2[3]) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
             first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
-            first_x_in_order_d1 <= first_x_in_order;
-            first_x_inverted_d1 <= first_x_inverted;
-            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
-            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
             first_x_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
             first_x_greater_sign_d1 <= max_f24_ftz_unit_y[23];
             reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
@@ -8416,114 +8378,81 @@ module splat_setup (
             reaches_near_in_order_d1 <= reaches_near_in_order;
             reaches_near_greater_bits_d1_copy2 <= max_f24_ftz_unit_copy2_y[14:0];
             reaches_near_greater_sign_d1 <= max_f24_ftz_unit_copy2_y[23];
-            beyond_near_d1 <= lt_f24_ftz_unit_y;
-            beyond_near_d2 <= beyond_near_d1;
-            swapped_d1 <= lt_f24_ftz_unit_copy2_y;
-            turned_either_d1 <= turned_either;
-            lowered_greater_d1_copy5 <= lowered_greater_copy5;
-            exponent_both_d1 <= exponent_both;
-            exponent_both_d1_copy2 <= exponent_both_copy2;
+            lowered_d1 <= lowered;
+            lowered_d2 <= lowered_d1;
+            lowered_d3 <= lowered_d2;
+            lowered_d4 <= lowered_d3;
+            before_far_in_order_d1 <= le_f24_ftz_unit_copy3_y;
+            sight_disc_out_d12 <= delay_11_from_3_out;
+            sight_disc_out_d13 <= sight_disc_out_d12;
+            sight_disc_out_d14 <= sight_disc_out_d13;
+        end
+        if (phases_1[3]) begin
+            first_x_in_order_d1 <= first_x_in_order;
+            first_x_inverted_d1 <= first_x_inverted;
+            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
+            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
         end
         if (phases_1[4]) begin
             first_x_both_d1 <= first_x_both_copy3;
             first_x_either_d1 <= first_x_either;
+            first_y_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
             first_y_in_order_d1 <= first_y_in_order;
             first_y_inverted_d1 <= first_y_inverted;
             first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
             first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
+            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
             first_y_greater_sign_d1 <= max_f24_ftz_unit_y[23];
             reaches_near_both_d1 <= reaches_near_both_copy3;
             reaches_near_either_d1 <= reaches_near_either;
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-        end
-        if (phases_2[5]) begin
-            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
-            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+            a_y_chosen_d1 <= a_y_chosen[7:0];
             alpha_both_d1 <= alpha_both;
             alpha_chosen_d1 <= alpha_chosen[7:0];
             b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
             b_x_chosen_d1 <= b_x_chosen[7:0];
             b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
+            b_y_chosen_d1 <= b_y_chosen[7:0];
             beta_both_d1 <= beta_both;
+            beta_chosen_d1 <= beta_chosen[7:0];
             beyond_near_and_not_turned_d1 <= beyond_near_and_not_turned;
             beyond_near_and_not_turned_d2 <= beyond_near_and_not_turned_d1;
-        end
-        if (phases_2[4]) begin
-            first_y_greater_bits_d1 <= first_x_greater_bits_d1_bits;
-            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
-            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
-            lowered_d1 <= lowered;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            beyond_near_and_not_turned_d3 <= beyond_near_and_not_turned_d2;
+            beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
+            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
+            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
+            exponent_both_d1 <= exponent_both;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
         end
         if (phases_1[5]) begin
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
             first_y_both_d1 <= first_y_both_copy3;
             first_y_either_d1 <= first_y_either;
-            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
-            a_x_chosen_d1 <= a_x_chosen[7:0];
-            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
-            a_y_chosen_d1 <= a_y_chosen[7:0];
-        end
-        if (phases_1[6]) begin
-            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
             turned_d1 <= turned;
-            v_x_chosen_d1 <= v_x_chosen_copy2;
             lowered_chosen_sign_d1 <= lowered_chosen_copy6[23];
             lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[23];
-        end
-        if (phases_4[0]) begin
-            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
-            lowered_greater_d1_copy2 <= lowered_greater_copy2;
-            epsilon_d1 <= add_f24_ftz_unit_y;
-            scale_x_times_v_x_d1 <= mul_f24_ftz_unit_copy5_y;
-            center_x_d6 <= delay_5_from_0_out;
-            center_x_d7 <= center_x_d6;
-            last_y_d1 <= last_y;
-        end
-        if (phases_2[6]) begin
-            v_x_chosen_d2 <= v_x_chosen_d1;
-            v_x_chosen_d3 <= v_x_chosen_d2;
-            v_y_chosen_d1 <= v_y_chosen_copy2;
-            v_y_chosen_d2 <= v_y_chosen_d1;
-            v_y_chosen_d3 <= v_y_chosen_d2;
             lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[23];
             lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[23];
             lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[23];
             lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[23];
-            sight_disc_out_d12 <= sight_disc_out_d11;
-            sight_disc_out_d13 <= sight_disc_out_d12;
-            sight_disc_out_d14 <= sight_disc_out_d13;
-            sight_disc_out_d15 <= sight_disc_out_d14;
-        end
-        if (phases_3[6]) begin
-            lowered_chosen_d1 <= lowered_chosen_copy5;
-            lowered_chosen_bits_d1 <= {3'd0, lowered_chosen_copy6[22:15]};
-            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_copy7[22:15]};
-            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
-            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
-            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
-            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
-            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
-            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
-            sight_disc_out_d16 <= sight_disc_out_d15;
             unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
         end
-        if (phases_1[7]) begin
+        if (phases_2[6]) begin
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
             lowered_greater_d1 <= lowered_greater;
             lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
-            a_x_inverted_d1 <= a_x_inverted;
-            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
             a_y_inverted_d1 <= a_y_inverted;
             lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
             alpha_inverted_d1 <= alpha_inverted;
@@ -8534,225 +8463,327 @@ module splat_setup (
             lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
             beta_inverted_d1 <= beta_inverted;
             lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
-            before_far_in_order_d1 <= le_f24_ftz_unit_y;
-            before_far_in_order_d2 <= before_far_in_order_d1;
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-        end
-        if (phases_1[1]) begin
-            lowered_greater_d1_copy3 <= lowered_greater_copy3;
             not_turned_d1 <= not_turned;
             not_turned_d2 <= not_turned_d1;
             not_turned_d3 <= not_turned_d2;
             not_turned_d4 <= not_turned_d3;
             not_turned_d5 <= not_turned_d4;
             not_turned_d6 <= not_turned_d5;
+            zero_is_lowered_d1 <= zero_is_lowered;
             whole_d1 <= whole;
-            whole_d8 <= whole_d7;
+            whole_d8 <= delay_6_from_6_out;
             whole_d9 <= whole_d8;
-            whole_d10 <= whole_d9;
-            whole_d11 <= whole_d10;
-            whole_d12 <= whole_d11;
-            whole_d13 <= whole_d12;
-            first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            mx_bits_d1_copy3 <= add_f24_ftz_unit_copy3_y[23];
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            first_sum_both_d1 <= first_sum_both;
+            visible_in_order_d1 <= visible_in_order;
+            placed_d1 <= placed;
+            placed_d2 <= placed_d1;
+            zero_is_exponent_chosen_bits_d1 <= zero_is_exponent_chosen_bits;
+            ax_out_both_d1 <= ax_out_both;
         end
         if (phases_1[2]) begin
+            beyond_near_d1 <= lt_f24_ftz_unit_y;
+            beyond_near_d2 <= beyond_near_d1;
+            swapped_d1 <= lt_f24_ftz_unit_copy2_y;
+            turned_either_d1 <= turned_either;
+            lowered_greater_d1_copy5 <= lowered_greater_copy5;
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            last_x_d1 <= last_x;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+        end
+        if (phases_4[0]) begin
+            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
+            lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            one_minus_depth_a_d1 <= add_f24_ftz_unit_y;
+            half_depth_times_epsilon_scale_d1 <= mul_f24_ftz_unit_copy2_y;
+            epsilon_d1 <= add_f24_ftz_unit_copy2_y;
+            t_x_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
+        end
+        if (phases_2[5]) begin
+            v_x_chosen_d1 <= v_x_chosen_copy2;
+            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
+            a_x_sign_d1 <= a_x_d1[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            a_x_sign_d3 <= a_x_sign_d2;
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+        end
+        if (phases_3[5]) begin
+            v_x_chosen_d2 <= v_x_chosen_d1;
+            v_x_chosen_d3 <= v_x_chosen_d2;
+            lowered_chosen_bits_d1 <= {3'd0, lowered_chosen_copy6[22:15]};
+        end
+        if (phases_4[5]) begin
+            v_y_chosen_d1 <= v_y_chosen_copy2;
+            v_y_chosen_d2 <= v_y_chosen_d1;
+            v_y_chosen_d3 <= v_y_chosen_d2;
+            lowered_chosen_d1 <= lowered_chosen_copy5;
+            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_copy7[22:15]};
+            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
+            last_y_d1 <= last_y;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
+        end
+        if (phases_1[7]) begin
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            spread_middle_d2 <= spread_middle_d1;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy5_y[23];
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+        end
+        if (phases_5[5]) begin
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
+            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
+            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
+            a_x_joined_d2 <= a_x_joined_d1;
+            a_x_joined_d3 <= a_x_joined_d2;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+        end
+        if (phases_1[1]) begin
             lowered_greater_d1_copy4 <= lowered_greater_copy4;
             alpha_d1 <= mul_f24_ftz_unit_y;
             alpha_d2 <= alpha_d1;
-            alpha_d3 <= alpha_d2;
-            beta_bits_d1 <= b_x_bits_d1_bits;
+            beyond_near_d1_copy2 <= beyond_near;
+            beta_bits_d1 <= a_y_bits_d1_bits;
             not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
             not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
-        end
-        if (phases_4[6]) begin
-            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
-            a_x_joined_d2 <= a_x_joined_d1;
-            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
-            a_y_joined_d2 <= a_y_joined_d1;
-            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
-            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_copy7_y[23];
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-        end
-        if (phases_5[6]) begin
-            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
-            alpha_joined_d2 <= alpha_joined_d1;
-            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
-            b_x_joined_d2 <= b_x_joined_d1;
-            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
-            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
-            edge_on_in_order_d1 <= edge_on_in_order;
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-        end
-        if (phases_3[5]) begin
-            b_y_chosen_d1 <= b_y_chosen[7:0];
-            beta_chosen_d1 <= beta_chosen[7:0];
-            beyond_near_and_not_turned_d3 <= beyond_near_and_not_turned_d2;
-            beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
-            beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
-            reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
-            before_far_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
-            not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
-        end
-        if (phases_6[6]) begin
-            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
-            b_y_joined_d2 <= b_y_joined_d1;
-            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
-            beta_joined_d2 <= beta_joined_d1;
-            e_d1 <= add_f24_ftz_unit_y;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
-        end
-        if (phases_3[4]) begin
-            r_d1 <= recip_f24_ftz_unit_y;
-            b_depth_d1 <= mul_f24_ftz_unit_y;
-            b_depth_d2 <= b_depth_d1;
-            b_depth_d3 <= b_depth_d2;
-            b_depth_d4 <= b_depth_d3;
-        end
-        if (phases_2[2]) begin
-            beta_d1 <= mul_f24_ftz_unit_copy2_y;
-            beta_d2 <= beta_d1;
-            beta_d3 <= beta_d2;
-            a_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy4_y;
-            b_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
             not_zero_is_beta_bits_d3 <= not_zero_is_beta_bits_d2;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
             not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
             not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
             not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
-            sight_near_out_both_d1 <= sight_near_out_both_copy2;
-            sight_near_out_either_d1 <= sight_near_out_either;
-            sight_far_out_both_d1 <= sight_far_out_both_copy2;
-            sight_far_out_either_d1 <= sight_far_out_either;
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
         end
-        if (phases_2[7]) begin
-            q_d1 <= add_f24_ftz_unit_y;
+        if (phases_3[3]) begin
+            lowered_d5 <= lowered_d4;
+            lowered_d6 <= lowered_d5;
+            r_d1 <= recip_f24_ftz_unit_y;
+            f_times_root_of_q_d1 <= mul_f24_ftz_unit_y;
+            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
+            spread_half_d2 <= spread_half_d1;
+            sight_disc_out_d15 <= sight_disc_out_d14;
+            sight_disc_out_d16 <= sight_disc_out_d15;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
+            not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
+            not_zero_is_a_x_bits_d4 <= not_zero_is_a_x_bits_d3;
+            not_zero_is_mx_sum_bits_d1 <= not_zero_is_mx_sum_bits;
+            mx_sum_bits_is_255_d1 <= mx_sum_bits_is_255;
+            mx_sum_sign_d1 <= mul_mul_add_f24_ftz_unit_y[23];
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+        end
+        if (phases_1[6]) begin
+            a_x_inverted_d1 <= a_x_inverted;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
+        end
+        if (phases_6[5]) begin
+            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
+            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
+            a_y_joined_d2 <= a_y_joined_d1;
+            a_y_joined_d3 <= a_y_joined_d2;
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
+            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
+            a_y_sign_d1 <= a_y_d1[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+        end
+        if (phases_7[5]) begin
+            alpha_joined_d2 <= alpha_joined_d1;
+            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
+            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
+            b_x_joined_d2 <= b_x_joined_d1;
+            b_x_joined_d3 <= b_x_joined_d2;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
+            a_y_sign_d3 <= a_y_sign_d2;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+        end
+        if (phases_8[5]) begin
+            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
+            b_y_joined_d2 <= b_y_joined_d1;
+            b_y_joined_d3 <= b_y_joined_d2;
+            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
+            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
+            last_y_d2 <= last_y_d1;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+        end
+        if (phases_9[5]) begin
+            beta_joined_d2 <= beta_joined_d1;
+            q_d1 <= mul_mul_add_f24_ftz_unit_y;
             q_d2 <= q_d1;
             q_d3 <= q_d2;
             q_d4 <= q_d3;
-            q_d5 <= q_d4;
-            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
-            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
-            visible_in_order_d1 <= visible_in_order;
-            shift_chosen_d1_copy3 <= shift_chosen_copy13;
-            odd_d1 <= odd;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            b_x_sign_d1 <= b_x_d1[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            b_x_sign_d3 <= b_x_sign_d2;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
+            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
         end
-        if (phases_3[7]) begin
+        if (phases_2[1]) begin
+            alpha_d3 <= alpha_d2;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            beta_d3 <= beta_d2;
+            center_depth_d7 <= delay_6_from_1_out;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+        end
+        if (phases_2[4]) begin
+            e_d1 <= add_f24_ftz_unit_y;
             f_d1 <= recip_f24_ftz_unit_y;
-            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
-            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            last_difference_out_d1 <= last_difference[9:0];
-        end
-        if (phases_4[4]) begin
-            b_depth_d5 <= b_depth_d4;
-            b_depth_d6 <= b_depth_d5;
-            b_depth_d7 <= b_depth_d6;
-            spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
-            spread_half_d2 <= spread_half_d1;
-        end
-        if (phases_2[3]) begin
-            center_depth_d8 <= delay_7_from_3_out;
-            center_depth_d9 <= center_depth_d8;
-            spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
-            spread_middle_d2 <= spread_middle_d1;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy4_y;
+            f_d2 <= f_d1;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
             exponent_chosen_d1 <= exponent_chosen[7:0];
         end
-        if (phases_5[4]) begin
-            spread_half_d3 <= spread_half_d2;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
-            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+        if (phases_2[2]) begin
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            b_depth_d4 <= b_depth_d3;
+            b_depth_d5 <= b_depth_d4;
+            b_depth_d6 <= b_depth_d5;
+            shift_chosen_d1 <= shift_chosen_copy7;
         end
-        if (phases_4[5]) begin
-            middle_depth_d3 <= middle_depth_d2;
+        if (phases_3[1]) begin
+            center_depth_d8 <= center_depth_d7;
+            center_depth_d9 <= center_depth_d8;
             half_depth_d1 <= half_depth;
-            a_x_d1 <= mul_f24_ftz_unit_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
-            a_x_sign_d2 <= a_x_sign_d1;
-            a_x_sign_d3 <= a_x_sign_d2;
-            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
         end
-        if (phases_5[0]) begin
+        if (phases_3[6]) begin
+            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
+            center_x_d6 <= center_x_d5;
+            center_x_d7 <= center_x_d6;
             center_x_d8 <= center_x_d7;
             center_x_d9 <= center_x_d8;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy4_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy5_y;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
         end
-        if (phases_3[2]) begin
-            t_x_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            t_x_sum_d2 <= t_x_sum_d1;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy3_y;
-            a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
-            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
+        if (phases_4[3]) begin
+            before_far_sum_d1 <= add_f24_ftz_unit_y;
+            a_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_d3 <= a_x_bits_d2;
         end
-        if (phases_5[5]) begin
-            h_x_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
-            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy7_y;
-            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
-            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
-            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
-            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
-            a_y_sign_d1 <= mul_f24_ftz_unit_copy5_y[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            a_y_sign_d3 <= a_y_sign_d2;
+        if (phases_2[7]) begin
+            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
+            h_x_sum_d1_copy2 <= mul_mul_add_f24_ftz_unit_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy4_y;
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_product_bits_d1 <= unit_delta_product_d1[22:15];
         end
-        if (phases_7[6]) begin
-            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy4_y[23], first_x_chosen_copy6};
+        if (phases_3[4]) begin
+            b_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_y[23], first_x_chosen_copy6};
             first_x_chosen_d1 <= first_x_chosen_copy8;
             first_x_chosen_d2 <= first_x_chosen_d1;
             first_x_chosen_d3 <= first_x_chosen_d2;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            delta_both_d1 <= delta_both;
+            mx_both_d1_copy3 <= mx_both_copy3;
+            my_in_order_d1 <= my_in_order;
+            not_zero_is_my_sum_bits_d1 <= not_zero_is_my_sum_bits;
+            my_sum_bits_is_255_d1 <= my_sum_bits_is_255;
+            my_sum_sign_d1 <= mul_mul_add_f24_ftz_unit_copy2_y[23];
         end
-        if (phases_8[6]) begin
-            last_x_chosen_d1 <= last_x_chosen_copy2;
-            last_x_chosen_d2 <= last_x_chosen_d1;
-            last_x_chosen_d3 <= last_x_chosen_d2;
-            last_x_d1 <= last_x;
+        if (phases_5[0]) begin
+            t_x_sum_d2 <= t_x_sum_d1;
+            h_x_sum_d1 <= mul_mul_add_f24_ftz_unit_copy2_y;
+            h_x_sum_d2 <= h_x_sum_d1;
+            h_x_sum_d3 <= h_x_sum_d2;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
+            shift_either_bits_d1_copy4 <= shift_either_copy3[25:18];
+        end
+        if (phases_3[2]) begin
+            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            minus_h_x_d1 <= minus_sqrt_f24_ftz_unit_y;
+            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
             last_x_d2 <= last_x_d1;
             last_x_d3 <= last_x_d2;
             last_x_d4 <= last_x_d3;
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            sight_negative_out_d1 <= sight_negative_out;
-            odd_either_d1 <= odd_either_copy3;
+            last_x_d5 <= last_x_d4;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
         end
-        if (phases_2[1]) begin
-            first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
+        if (phases_4[1]) begin
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
+            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
+            last_x_lesser_d1 <= last_x_lesser;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+        end
+        if (phases_10[5]) begin
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy4_y;
             last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
+            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+        end
+        if (phases_4[4]) begin
+            last_x_chosen_d1 <= last_x_chosen_copy2;
+            last_x_chosen_d2 <= last_x_chosen_d1;
+            last_x_chosen_d3 <= last_x_chosen_d2;
+            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_y_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            exponent_chosen_d1_copy2 <= exponent_chosen_copy7[7:0];
+        end
+        if (phases_4[6]) begin
+            first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
             first_x_shifted_d1 <= first_x_shifted_d1_shifted;
-            last_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
-            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
-            end_or_visible_d1 <= end_or_visible;
-            zero_is_exponent_chosen_bits_d1 <= zero_is_exponent_chosen_bits;
-            ax_out_both_d1 <= ax_out_both;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            center_y_d7 <= center_y_d6;
+            center_y_d8 <= center_y_d7;
+            last_difference_out_d1 <= last_difference[9:0];
+        end
+        if (phases_6[0]) begin
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy4_y;
+            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
+            last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
+            minus_unit_delta_joined_d1 <= {~unit_delta_joined_d1[23], unit_delta_joined_d1[22:0]};
+            shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
+            odd_d1 <= odd;
+        end
+        if (phases_5[1]) begin
+            v_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            h_y_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            h_y_sum_d2 <= h_y_sum_d1;
+            h_y_sum_d3 <= h_y_sum_d2;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy4_y;
+        end
+        if (phases_5[6]) begin
+            center_y_d9 <= center_y_d8;
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy3_y;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d2 <= unit_delta_joined_d1_copy2;
             bx_out_both_d1 <= bx_out_both;
             zero_is_exponent_chosen_bits_d1_copy2 <= zero_is_exponent_chosen_bits_copy2;
             ay_out_both_d1 <= ay_out_both;
@@ -8760,661 +8791,572 @@ module splat_setup (
             mx_out_both_d1 <= mx_out_both;
             my_out_both_d1 <= my_out_both;
             vanishes_in_order_d1 <= vanishes_in_order;
-        end
-        if (phases_6[4]) begin
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
-            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
-            delta_bits_d1 <= {2'd0, delta[22:15]};
-        end
-        if (phases_6[5]) begin
-            last_x_lesser_d1 <= last_x_lesser;
-            a_y_d1 <= mul_f24_ftz_unit_copy5_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            t_y_d1 <= mul_f24_ftz_unit_copy7_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy8_y;
-            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
-            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
-            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            b_x_sign_d2 <= b_x_sign_d1;
-            b_x_sign_d3 <= b_x_sign_d2;
-            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            exponent_chosen_bits_is_255_d1 <= exponent_chosen_bits_is_255;
         end
         if (phases_4[2]) begin
-            a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
-            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy8_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
-            t_y_sum_d2 <= t_y_sum_d1;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy5_y;
+            t_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            minus_t_y_d1 <= {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+            first_sum_sum_d1 <= mul_mul_add_f24_ftz_unit_copy2_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_sum_d3 <= first_sum_sum_d2;
         end
-        if (phases_6[0]) begin
-            center_y_d2 <= center_y_d1_copy2;
-            center_y_d3 <= center_y_d2;
-            center_y_d4 <= center_y_d3;
-            center_y_d5 <= center_y_d4;
-            center_y_d6 <= center_y_d5;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-        end
-        if (phases_7[0]) begin
-            center_y_d7 <= center_y_d6;
-            center_y_d8 <= center_y_d7;
-            center_y_d9 <= center_y_d8;
-            center_y_d10 <= center_y_d9;
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
-            shift_d3 <= shift_d2;
-        end
-        if (phases_5[2]) begin
-            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
-            last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
+        if (phases_6[1]) begin
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
             beta_bits_d2 <= beta_bits_d1;
             beta_bits_d3 <= beta_bits_d2;
-            alpha_bits_d1 <= a_x_bits_d1_bits;
+            alpha_bits_d1 <= alpha_bits_d1_bits;
             alpha_bits_d2 <= alpha_bits_d1;
             alpha_bits_d3 <= alpha_bits_d2;
-            largest_d1 <= largest;
-            exponent_chosen_d1_copy5 <= exponent_chosen_copy11;
         end
-        if (phases_9[6]) begin
-            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy4_y;
-            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy5_y;
-            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy6_y[23], first_y_chosen_copy6};
-            first_y_chosen_d1 <= first_y_chosen_copy8;
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-        end
-        if (phases_10[6]) begin
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            first_y_chosen_d3 <= first_y_chosen_d2;
-            first_y_chosen_d4 <= first_y_chosen_d3;
-            last_y_chosen_d1 <= last_y_chosen_copy2;
-            last_y_chosen_d2 <= last_y_chosen_d1;
-        end
-        if (phases_11[6]) begin
-            last_y_chosen_d3 <= last_y_chosen_d2;
+        if (phases_5[4]) begin
+            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
             last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            unit_delta_product_d1 <= mul_f24_ftz_unit_copy7_y;
-            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
-            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
-            mx_sum_d1 <= mx_sum;
-        end
-        if (phases_8[0]) begin
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy7_y;
-            first_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
-            last_y_d2 <= last_y_d1;
-            last_y_d3 <= last_y_d2;
-            last_y_d4 <= last_y_d3;
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            largest_sum_d1_copy2 <= largest_sum_copy3;
-        end
-        if (phases_7[4]) begin
-            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
-            exponent_joined_d1 <= {a_x_sign_d3, exponent_chosen_copy2};
-            exponent_joined_d1_copy2 <= {a_y_sign_d3, exponent_chosen_copy4};
-            delta_d1 <= delta;
-            last_sum_sum_d1 <= add_f24_ftz_unit_copy4_y;
-        end
-        if (phases_7[5]) begin
-            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
-            a_x_bits_d2 <= a_x_bits_d1;
-            a_x_bits_d3 <= a_x_bits_d2;
-            a_y_bits_d1 <= a_y_bits_d1_bits;
+            last_y_lesser_d1 <= last_y_lesser;
             a_y_bits_d2 <= a_y_bits_d1;
             a_y_bits_d3 <= a_y_bits_d2;
             a_exponent_d1 <= a_exponent;
-            b_x_bits_d1 <= b_x_bits_d1_bits;
-            b_x_bits_d2 <= b_x_bits_d1;
-            b_x_bits_d3 <= b_x_bits_d2;
-            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
-            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
-            b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
-            b_y_sign_d2 <= b_y_sign_d1;
         end
-        if (phases_8[5]) begin
-            b_y_bits_d1 <= b_y_bits_d1_bits;
+        if (phases_11[5]) begin
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_y[23], first_y_chosen_copy6};
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            visible_both_d3 <= visible_both_d2;
+            visible_both_d4 <= visible_both_d3;
+            shift_d1 <= shift;
+            vanishes_d1 <= vanishes;
+        end
+        if (phases_12[5]) begin
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
+            last_y_d3 <= last_y_d2;
+            last_y_d4 <= last_y_d3;
+            b_y_bits_d1 <= a_y_bits_d1_bits;
             b_y_bits_d2 <= b_y_bits_d1;
             b_y_bits_d3 <= b_y_bits_d2;
             b_exponent_d1 <= b_exponent;
-            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
-            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
-            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
-            b_y_sign_d3 <= b_y_sign_d2;
-            exponent_chosen_bits_is_255_d1 <= exponent_chosen_bits_is_255;
+            a_x_bits_d1_copy2 <= a_x_d1[14:0];
         end
-        if (phases_9[5]) begin
+        if (phases_5[3]) begin
+            a_x_bits_d4 <= a_x_bits_d3;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            largest_d1 <= largest;
+            mx_sum_bits_d1 <= mx_sum_bits_d1_bits;
+            mx_sum_plus_mx_sum_bits_d1 <= mx_sum_plus_mx_sum_bits;
+            mx_sum_bits_d1_copy2 <= mul_mul_add_f24_ftz_unit_y[14:0];
+            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            last_difference_sum_d1 <= add_f24_ftz_unit_copy3_y;
+            first_sum_out_d1 <= first_sum[9:0];
+        end
+        if (phases_6[4]) begin
+            b_x_bits_d1 <= a_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_x_bits_d3 <= b_x_bits_d2;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
             a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
             a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
             b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+        end
+        if (phases_13[5]) begin
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            mx_sum_d1 <= mx_sum;
+            shift_d2 <= shift_d1;
+            shift_d3 <= shift_d2;
+            delta_bits_d1 <= {2'd0, delta[22:15]};
+        end
+        if (phases_7[4]) begin
             b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
             b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
-            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
-            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
-            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
-            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255;
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_joined_d1_copy2 <= {exponent_chosen_copy3[7:0], a_y_bits_d3_copy2};
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_joined_d1_copy4 <= {exponent_chosen_copy5[7:0], b_x_bits_d3_copy2};
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
         end
-        if (phases_4[7]) begin
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+        if (phases_3[7]) begin
+            unit_delta_joined_d2_copy2 <= unit_delta_joined_d1_copy3;
             unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
             m_exponent_d1 <= m_exponent;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
-            not_placed_d1 <= not_placed;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
-        end
-        if (phases_10[5]) begin
-            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
-            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
-            first_difference_d1 <= first_difference;
-            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
-            shift_chosen_d1 <= shift_chosen_copy7;
-            exponent_chosen_bits_is_255_d1_copy2 <= exponent_chosen_bits_is_255_copy2;
-        end
-        if (phases_12[6]) begin
-            mx_sum_d1_copy2 <= mx_sum_copy2;
-            largest_sum_d1 <= largest_sum;
-            largest_sum_d2 <= largest_sum_d1;
             unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_greater_d1 <= largest_greater;
             largest_sum_minus_100_d1 <= largest_sum_minus_100;
             largest_sum_plus_127_d1 <= largest_sum_plus_127;
             delta_sum_d1 <= delta_sum;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy7_y[14:0];
-            edge_on_lesser_d1 <= edge_on_lesser;
-            first_sum_out_d1 <= first_sum_d1[9:0];
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy5_y[14:0];
+            edge_on_in_order_d1 <= edge_on_in_order;
+            sight_negative_out_d1 <= sight_negative_out;
+            visible_both_d1_copy2 <= visible_both_copy3;
+            odd_either_d1 <= odd_either_copy3;
+            sight_near_out_both_d1 <= sight_near_out_both_copy2;
+            sight_near_out_either_d1 <= sight_near_out_either;
+            sight_far_out_both_d1 <= sight_far_out_both_copy2;
+            sight_far_out_either_d1 <= sight_far_out_either;
         end
-        if (phases_3[1]) begin
+        if (phases_6[6]) begin
+            unit_delta_product_d1 <= mul_f24_ftz_unit_y;
+            minus_unit_delta_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            largest_sum_d1 <= largest_sum;
+            largest_sum_d2 <= largest_sum_d1;
+            largest_sum_d3 <= largest_sum_d2;
+            largest_greater_d1 <= largest_greater;
+            edge_on_lesser_d1 <= edge_on_lesser;
+            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255;
+            exponent_chosen_bits_is_255_d1_copy2 <= exponent_chosen_bits_is_255_copy2;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+        end
+        if (phases_7[1]) begin
+            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
             mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
-            mx_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            minus_mx_product_d1 <= minus_mul_f24_ftz_unit_copy3_y;
-            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy7_y;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
+            mx_out_lesser_d1 <= mx_out_lesser[15:0];
+        end
+        if (phases_7[0]) begin
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            largest_sum_d1_copy2 <= largest_sum_copy3;
+            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
+            largest_sum_d3_copy2 <= largest_sum_d2_copy2;
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            mx_sum_d2 <= mx_sum_d1_copy3;
+            mx_sum_d3 <= mx_sum_d2;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy5_y;
+            shift_either_bits_d1 <= shift_either_copy3[25:15];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
+        end
+        if (phases_14[5]) begin
+            exponent_joined_d1 <= {a_x_sign_d3, exponent_chosen_copy2};
+            exponent_joined_d1_copy3 <= {a_y_sign_d3, exponent_chosen_copy4};
+            delta_d1 <= delta;
+            first_difference_d1 <= first_difference;
+            last_difference_lesser_d1 <= last_difference_lesser;
+        end
+        if (phases_8[4]) begin
+            my_sum_bits_d1 <= my_sum_bits_d1_bits;
+            my_difference_d1 <= my_difference;
+            my_sum_bits_d1_copy2 <= mul_mul_add_f24_ftz_unit_copy2_y[14:0];
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_greater_d1 <= first_difference_greater;
+            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+        end
+        if (phases_5[2]) begin
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            t_x_plus_t_y_d7 <= delay_6_from_2_out;
+            last_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            last_sum_lesser_d1 <= last_sum_lesser;
+        end
+        if (phases_7[6]) begin
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy5_y;
+            first_sum_chosen_d1 <= first_sum_chosen;
+            first_sum_sum_d1_copy4 <= first_sum_sum;
+            last_sum_chosen_d1 <= last_sum_chosen;
+            my_bits_is_255_d1 <= my_bits_is_255;
             covers_nothing_d1 <= covers_nothing;
             sight_near_out_in_order_d1 <= sight_near_out_in_order;
             sight_far_out_in_order_d1 <= sight_far_out_in_order;
         end
-        if (phases_4[1]) begin
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            mx_bits_d1 <= mx_bits_d1_bits;
-            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
-            mx_bits_d1_copy2 <= add_f24_ftz_unit_copy3_y[14:0];
-            my_bits_d1 <= my_bits_d1_bits;
-            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
-            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
-            shift_plus_4_d1 <= shift_plus_4;
-        end
-        if (phases_9[0]) begin
-            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
-            largest_sum_d3 <= largest_sum_d2_copy2;
-            mx_sum_d1_copy3 <= mx_sum_copy3;
-            mx_sum_d2 <= mx_sum_d1_copy3;
-            mx_sum_d3 <= mx_sum_d2;
-            first_difference_sum_d1_copy3 <= first_difference_sum;
-            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
-            exponent_d1 <= exponent;
-        end
-        if (phases_3[3]) begin
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            exponent_both_d1_copy3 <= exponent_both_copy3;
-            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            exponent_both_d1_copy4 <= exponent_both_copy4;
-            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
-            my_both_d1 <= my_both;
-            my_chosen_d1 <= my_chosen[7:0];
-            first_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
-            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
-            shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
-        end
-        if (phases_4[3]) begin
-            first_sum_sum_d2 <= first_sum_sum_d1;
-            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy7_y;
-            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
-            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
-            last_sum_out_d1 <= last_sum[9:0];
-            last_sum_out_d2 <= last_sum_out_d1;
-            shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
-            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
-        end
-        if (phases_13[6]) begin
-            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy8_y;
-            first_sum_chosen_d1 <= first_sum_chosen;
-            first_sum_sum_d1_copy4 <= first_sum_sum;
-            last_difference_lesser_d1 <= last_difference_lesser;
-            first_difference_out_d1 <= first_difference_d1[9:0];
-            exponent_greater_d1_copy4 <= exponent_greater_copy4;
-        end
-        if (phases_6[2]) begin
-            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_copy7_y;
-            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
-            last_difference_chosen_d1 <= last_difference_chosen;
-            last_difference_sum_d1_copy2 <= last_difference_sum;
-            first_sum_d1 <= first_sum;
-        end
-        if (phases_5[7]) begin
-            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            first_difference_sum_d1 <= add_f24_ftz_unit_copy7_y;
-            last_sum_chosen_d1 <= last_sum_chosen;
+        if (phases_4[7]) begin
             last_sum_sum_d1_copy2 <= last_sum_sum;
             first_difference_chosen_d1 <= first_difference_chosen;
-        end
-        if (phases_8[4]) begin
-            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy5_y;
-            last_difference_sum_d1 <= add_f24_ftz_unit_copy6_y;
-            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
-            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
-            first_difference_greater_d1 <= first_difference_greater;
-        end
-        if (phases_6[7]) begin
             first_sum_difference_d1 <= first_sum_difference;
-            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy4_y;
-            shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
-            ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
+            shift_difference_d1 <= shift_difference;
+            exponent_chosen_d1_copy3 <= exponent_chosen_copy11;
+            exponent_chosen_bits_plus_126_d1 <= exponent_chosen_bits_plus_126;
         end
-        if (phases_10[0]) begin
+        if (phases_8[0]) begin
+            first_difference_sum_d1_copy3 <= first_difference_sum;
+            last_difference_chosen_d1 <= last_difference_chosen;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
             last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
-            center_x_out_d1 <= {center_x_out_d11[25], center_x_out_d11};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-            ax_out_lesser_d1 <= ax_out_lesser[15:0];
+            shift_either_bits_d1_copy5 <= shift_either_copy3[25:19];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
+            not_placed_d1 <= not_placed;
+            not_placed_d2 <= not_placed_d1;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
+            sight_near_out_bits_is_255_d1 <= sight_near_out_bits_is_255;
+            not_sight_near_out_bits_is_255_d1 <= not_sight_near_out_bits_is_255;
         end
-        if (phases_5[1]) begin
+        if (phases_8[1]) begin
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
             first_sum_greater_d1 <= first_sum_greater;
             first_difference_difference_d1 <= first_difference_difference_copy2;
-            shift_shifted_d1 <= {18'd0, first_x} << 12;
-            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
-            bx_out_lesser_d1 <= bx_out_lesser[15:0];
+            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
         end
-        if (phases_7[2]) begin
-            last_sum_lesser_d1 <= last_sum_lesser;
+        if (phases_6[2]) begin
             first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
-            shift_difference_d1 <= shift_difference;
-            center_y_out_d1 <= {delay_10_from_6_out[25], delay_10_from_6_out};
-            exponent_chosen_bits_plus_126_d1 <= exponent_chosen_bits_plus_126;
-            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
-        end
-        if (phases_9[4]) begin
-            exponent_joined_d1_copy3 <= {not_exponent_joined_sign, exponent_chosen_copy2};
-            exponent_joined_d1_copy4 <= {not_exponent_joined_sign_copy2, exponent_chosen_copy4};
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
             center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+        end
+        if (phases_6[3]) begin
+            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            last_sum_out_d1 <= last_sum[9:0];
+            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
+            center_x_out_d11 <= center_x_out_d10;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+        end
+        if (phases_15[5]) begin
+            exponent_joined_d1_copy5 <= {not_exponent_joined_sign, exponent_chosen_copy2};
+            exponent_joined_d1_copy6 <= {not_exponent_joined_sign_copy2, exponent_chosen_copy4};
+            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy3_y;
+            shift_either_d1 <= shift_either_copy2;
             delta_bits_d11 <= delta_bits_d10;
             exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy6[22:15]};
             exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy8[22:15]};
-            exponent_joined_bits_d11 <= exponent_joined_bits_d10_copy2;
-            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
         end
-        if (phases_14[6]) begin
+        if (phases_7[3]) begin
             center_x_out_d12 <= center_x_out_d11;
             center_x_out_d13 <= center_x_out_d12;
             center_x_out_d14 <= center_x_out_d13;
-            center_x_out_d15 <= center_x_out_d14;
-            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
+            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
         end
-        if (phases_15[6]) begin
-            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
-            center_y_out_d11 <= delay_10_from_6_out;
+        if (phases_8[3]) begin
+            center_y_out_d11 <= center_y_out_d10;
             center_y_out_d12 <= center_y_out_d11;
             center_y_out_d13 <= center_y_out_d12;
-        end
-        if (phases_16[6]) begin
             center_y_out_d14 <= center_y_out_d13;
-            shift_difference_d1_copy3 <= shift_difference_copy3;
+            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
         end
-        if (phases_5[3]) begin
+        if (phases_8[6]) begin
+            shift_shifted_d1 <= {18'd0, first_x} << 12;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
+            shift_plus_4_d1 <= shift_plus_4;
+            exponent_chosen_bits_d10 <= exponent_chosen_bits_d9;
+            exponent_chosen_bits_d10_copy2 <= exponent_chosen_bits_d9_copy2;
+            bx_out_lesser_d1 <= bx_out_lesser[15:0];
+            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
+            vanishes_difference_d1 <= vanishes_difference;
+        end
+        if (phases_9[4]) begin
+            center_x_out_d1 <= {center_x_out_d10[25], center_x_out_d10};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
+        end
+        if (phases_9[3]) begin
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy4_y;
+            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy5_y;
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+        end
+        if (phases_9[0]) begin
             shift_chosen_bits_d1 <= shift_chosen[25:0];
-            shift_either_bits_d1 <= shift_either_copy3[25:15];
-            shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
-            shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
-            shift_either_bits_d1_copy4 <= shift_either_copy3[25:18];
-            shift_either_bits_d1_copy5 <= shift_either_copy3[25:19];
-            shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
-            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
             exponent_greater_d1 <= exponent_greater;
             by_out_lesser_d1 <= by_out_lesser[15:0];
             mx_out_shifted_d1 <= {mx_out_sum[17], mx_out_sum[17:1]};
-            sight_near_out_bits_is_255_d1 <= sight_near_out_bits_is_255;
-            not_sight_near_out_bits_is_255_d1 <= not_sight_near_out_bits_is_255;
+            sight_near_out_joined_d1 <= {sight_near_out_chosen_copy2[7:0], sight_near_out_chosen_copy3};
             sight_far_out_same_d1 <= sight_far_out_same_copy2;
             not_sight_far_out_same_d1 <= not_sight_far_out_same_copy2;
+            sight_far_out_joined_d1 <= {sight_far_out_chosen_copy2[7:0], sight_far_out_chosen_copy3};
         end
-        if (phases_11[5]) begin
+        if (phases_9[1]) begin
             shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[15:0];
-            mx_bits_is_255_d1_copy2 <= mx_bits_is_255_copy2;
-            my_bits_is_255_d1_copy2 <= my_bits_is_255_copy2;
+            sight_far_out_joined_d1_copy2 <= {abs_sight_far_out_product_sign_d9, sight_far_out_chosen_copy4};
+            depth_low_out_greater_d1 <= max_f24_ftz_unit_y;
         end
-        if (phases_8[2]) begin
+        if (phases_5[7]) begin
+            center_y_out_d1 <= {center_y_out_d10[25], center_y_out_d10};
             shift_difference_d1_copy4 <= shift_difference_copy4;
             not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
             ax_out_joined_d1 <= {exponent_chosen_sign_d11, ax_out_chosen[7:0], exponent_chosen_bits_d11};
-            bx_out_joined_d1 <= {exponent_joined_sign_d11, bx_out_chosen[7:0], exponent_joined_bits_d11_copy2};
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
             exponent_chosen_bits_plus_126_d1_copy2 <= exponent_chosen_bits_plus_126_copy2;
-            ay_out_lesser_d1 <= ay_out_lesser[15:0];
         end
-        if (phases_6[1]) begin
-            shift_either_d1 <= shift_either_copy2;
-            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
-            vanishes_difference_d1 <= vanishes_difference;
-            sight_near_out_sum_d1 <= sight_near_out_sum;
-            sight_near_out_difference_d1 <= sight_near_out_difference;
-            sight_far_out_difference_d1 <= sight_far_out_difference;
-            sight_far_out_d1 <= sight_far_out;
-        end
-        if (phases_10[4]) begin
-            mx_bits_d11 <= mx_bits_d10;
-            my_bits_d1_copy4 <= {2'd0, my[22:15]};
-            my_bits_d11 <= my_bits_d10;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[15:0];
-            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
-            sight_far_out_joined_d1_copy2 <= {abs_sight_far_out_product_sign_d9, sight_far_out_chosen_copy4};
-        end
-        if (phases_11[0]) begin
+        if (phases_16[5]) begin
+            mx_bits_d1 <= {2'd0, mx[22:15]};
+            my_bits_d1 <= {2'd0, my[22:15]};
+            exponent_d1 <= exponent;
+            ax_out_lesser_d1 <= ax_out_lesser[15:0];
             bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
+            sight_near_out_bits_d9 <= delay_8_from_5_out;
             sight_near_out_chosen_d1 <= sight_near_out_chosen_copy5;
         end
-        if (phases_9[2]) begin
+        if (phases_6[7]) begin
+            bx_out_joined_d1 <= {exponent_joined_sign_d11, bx_out_chosen[7:0], exponent_joined_bits_d11};
             ay_out_joined_d1 <= {exponent_chosen_sign_d11_copy2, ay_out_chosen[7:0], exponent_chosen_bits_d11_copy2};
+            ay_out_lesser_d1 <= ay_out_lesser[15:0];
             exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
-            by_out_joined_d1 <= {exponent_joined_sign_d11_copy2, by_out_chosen[7:0], exponent_joined_bits_d11_copy3};
+            by_out_joined_d1 <= {exponent_joined_sign_d11_copy2, by_out_chosen[7:0], exponent_joined_bits_d11_copy2};
             by_out_shifted_d1 <= {by_out_sum[17], by_out_sum[17:1]};
             mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11_copy2};
-            my_bits_plus_126_d1 <= my_bits_plus_126;
         end
-        if (phases_10[2]) begin
-            my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11_copy2};
+        if (phases_7[7]) begin
+            mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11};
             vanishes_joined_d1 <= {delta_sign_d10, vanishes_chosen[7:0], delta_bits_d10_copy2};
             sight_near_out_bits_plus_126_d1 <= sight_near_out_bits_plus_126;
             sight_far_out_sum_d1 <= sight_far_out_sum;
-            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_high_out_d2 <= depth_high_out_d1;
         end
-        if (phases_7[7]) begin
+        if (phases_7[2]) begin
+            my_out_lesser_d1 <= my_out_lesser[15:0];
+            depth_high_out_greater_d1 <= max_f24_ftz_unit_copy2_y;
+        end
+        if (phases_10[4]) begin
             vanishes_lesser_d1 <= vanishes_lesser[19:0];
-            sight_near_out_bits_d9 <= sight_near_out_bits_d8;
-            abs_sight_far_out_product_bits_d9 <= abs_sight_far_out_product_bits_d8;
-        end
-        if (phases_6[3]) begin
-            sight_near_out_joined_d1 <= {sight_near_out_chosen_copy2[7:0], sight_near_out_chosen_copy3};
-            sight_far_out_joined_d1 <= {sight_far_out_chosen_copy2[7:0], sight_far_out_chosen_copy3};
-        end
-        if (phases_7[1]) begin
-            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy6_y;
             depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_low_out_d2 <= depth_low_out_d1;
             depth_low_out_d3 <= depth_low_out_d2;
-            depth_low_out_d4 <= depth_low_out_d3;
         end
-        if (phases_8[1]) middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy7_y;
-        if (phases_11[2]) begin
+        if (phases_9[6]) begin
+            sight_near_out_sum_d1 <= sight_near_out_sum;
+            sight_near_out_difference_d1 <= sight_near_out_difference;
+            abs_sight_far_out_product_bits_d9 <= delay_8_from_6_out;
+            sight_far_out_difference_d1 <= sight_far_out_difference;
+            sight_far_out_d1 <= sight_far_out;
+        end
+        if (phases_10[3]) begin
+            depth_high_out_d2 <= depth_high_out_d1;
             depth_high_out_d3 <= depth_high_out_d2;
-            depth_high_out_d4 <= depth_high_out_d3;
         end
-        max_f24_ftz_unit_a <= max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
+        max_f24_ftz_unit_a <= max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_5;
         max_f24_ftz_unit_b <= max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_6;
-        max_f24_ftz_unit_copy2_a <= max_f24_ftz_unit_copy2_phase[2] ? max_f24_ftz_unit_copy2_a_choice : max_f24_ftz_unit_copy2_a_choice_3;
+        max_f24_ftz_unit_copy2_a <= max_f24_ftz_unit_copy2_phase[2] ? max_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_choice_4;
         max_f24_ftz_unit_copy2_b <= max_f24_ftz_unit_copy2_phase_copy2[2] ? max_f24_ftz_unit_copy2_b_choice_3 : max_f24_ftz_unit_copy2_b_choice_6;
-        lt_f24_ftz_unit_a <= lt_f24_ftz_unit_phase[2] ? lt_f24_ftz_unit_a_choice : lt_f24_ftz_unit_phase[1] ? center_z_d1 : near_plane;
-        lt_f24_ftz_unit_b <= lt_f24_ftz_unit_phase_copy2[2] ? lt_f24_ftz_unit_b_choice_2 : lt_f24_ftz_unit_b_choice_3;
-        lt_f24_ftz_unit_copy2_a <= lt_f24_ftz_unit_copy2_phase[2] ? lt_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_bits;
-        lt_f24_ftz_unit_copy2_b <= lt_f24_ftz_unit_copy2_phase[2] ? lt_f24_ftz_unit_copy2_b_choice_2 : max_f24_ftz_unit_copy2_b_bits;
-        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_3;
+        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
         add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
         add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
         add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
-        add_f24_ftz_unit_copy3_a <= add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_3 : add_f24_ftz_unit_copy3_a_choice_6;
+        add_f24_ftz_unit_copy3_a <= add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
         add_f24_ftz_unit_copy3_b <= add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_6;
-        add_f24_ftz_unit_copy4_a <= add_f24_ftz_unit_copy4_phase[2] ? add_f24_ftz_unit_copy4_a_choice_3 : add_f24_ftz_unit_copy4_a_choice_6;
-        add_f24_ftz_unit_copy4_b <= add_f24_ftz_unit_copy4_phase_copy2[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_6;
+        add_f24_ftz_unit_copy4_a <= add_f24_ftz_unit_copy4_phase[2] ? add_f24_ftz_unit_copy4_a_choice_3 : add_f24_ftz_unit_copy4_a_choice_5;
+        add_f24_ftz_unit_copy4_b <= add_f24_ftz_unit_copy4_phase_copy2[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_4;
         add_f24_ftz_unit_copy5_a <= add_f24_ftz_unit_copy5_phase[2] ? add_f24_ftz_unit_copy5_a_choice_3 : add_f24_ftz_unit_copy5_a_choice_6;
         add_f24_ftz_unit_copy5_b <= add_f24_ftz_unit_copy5_phase_copy2[2] ? add_f24_ftz_unit_copy5_b_choice_3 : add_f24_ftz_unit_copy5_b_choice_6;
-        add_f24_ftz_unit_copy6_a <= add_f24_ftz_unit_copy6_phase[2] ? add_f24_ftz_unit_copy6_a_choice_2 : add_f24_ftz_unit_copy6_a_choice_5;
-        add_f24_ftz_unit_copy6_b <= add_f24_ftz_unit_copy6_phase_copy2[2] ? add_f24_ftz_unit_copy6_b_choice_3 : add_f24_ftz_unit_copy6_b_choice_6;
-        add_f24_ftz_unit_copy7_a <= add_f24_ftz_unit_copy7_phase[2] ? add_f24_ftz_unit_copy7_a_choice_2 : add_f24_ftz_unit_copy7_a_choice_5;
-        add_f24_ftz_unit_copy7_b <= add_f24_ftz_unit_copy7_phase_copy2[2] ? add_f24_ftz_unit_copy7_b_choice_2 : add_f24_ftz_unit_copy7_b_choice_5;
-        recip_f24_ftz_unit_a <= recip_f24_ftz_unit_phase[2] ? (recip_f24_ftz_unit_phase[1] ? lowered_chosen_d1 : b_depth_d3) : f_chosen;
-        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
-        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
-        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_4;
+        recip_f24_ftz_unit_a <= recip_f24_ftz_unit_phase[2] ? (recip_f24_ftz_unit_phase[0] ? f_chosen : lowered_chosen_d1) : b_depth_d3;
+        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_a_choice_4;
+        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_5;
+        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_3;
         mul_f24_ftz_unit_copy2_b <= mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
-        mul_f24_ftz_unit_copy3_a <= mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_5;
+        mul_f24_ftz_unit_copy3_a <= mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
         mul_f24_ftz_unit_copy3_b <= mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_b_choice_3 : mul_f24_ftz_unit_copy3_b_choice_5;
         mul_f24_ftz_unit_copy4_a <= mul_f24_ftz_unit_copy4_phase[2] ? mul_f24_ftz_unit_copy4_a_choice_2 : mul_f24_ftz_unit_copy4_a_choice_4;
-        mul_f24_ftz_unit_copy4_b <= mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_b_choice_3 : mul_f24_ftz_unit_copy4_b_choice_6;
-        mul_f24_ftz_unit_copy5_a <= mul_f24_ftz_unit_copy5_phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_3;
-        mul_f24_ftz_unit_copy5_b <= mul_f24_ftz_unit_copy5_phase_copy2[2] ? mul_f24_ftz_unit_copy5_b_choice_3 : mul_f24_ftz_unit_copy5_b_choice_6;
-        mul_f24_ftz_unit_copy6_a <= mul_f24_ftz_unit_copy6_phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_3;
-        mul_f24_ftz_unit_copy6_b <= mul_f24_ftz_unit_copy6_phase_copy2[2] ? mul_f24_ftz_unit_copy6_b_choice_3 : mul_f24_ftz_unit_copy6_b_choice_5;
-        mul_f24_ftz_unit_copy7_a <= mul_f24_ftz_unit_copy7_phase[2] ? mul_f24_ftz_unit_copy7_a_choice_2 : mul_f24_ftz_unit_copy7_a_choice_4;
-        mul_f24_ftz_unit_copy7_b <= mul_f24_ftz_unit_copy7_phase_copy2[2] ? mul_f24_ftz_unit_copy7_b_choice_2 : mul_f24_ftz_unit_copy7_b_choice_4;
-        mul_f24_ftz_unit_copy8_a <= mul_f24_ftz_unit_copy8_phase[2] ? mul_f24_ftz_unit_copy8_a_choice_2 : mul_f24_ftz_unit_copy8_phase[1] ? 24'h3f8008 : f_d1;
-        mul_f24_ftz_unit_copy8_b <= mul_f24_ftz_unit_copy8_phase_copy2[2] ? mul_f24_ftz_unit_copy8_b_choice_3 : mul_f24_ftz_unit_copy8_b_choice_4;
-        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice_2 : sqrt_f24_ftz_unit_a_choice_3;
-        le_f24_ftz_unit_a <= le_f24_ftz_unit_phase[2] ? (le_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy3_y : depth_b) : le_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : 24'd0;
-        le_f24_ftz_unit_b <= le_f24_ftz_unit_phase[2] ? (le_f24_ftz_unit_phase[0] ? 24'h3f8000 : before_far_joined_d1) : le_f24_ftz_unit_phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y;
+        mul_f24_ftz_unit_copy4_b <= mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_b_choice_2 : mul_f24_ftz_unit_copy4_b_choice_4;
+        mul_mul_add_f24_ftz_unit_a <= mul_mul_add_f24_ftz_unit_phase[2] ? mul_mul_add_f24_ftz_unit_a_choice_2 : mul_mul_add_f24_ftz_unit_a_choice_4;
+        mul_mul_add_f24_ftz_unit_b <= mul_mul_add_f24_ftz_unit_phase_copy2[2] ? mul_mul_add_f24_ftz_unit_b_choice : mul_mul_add_f24_ftz_unit_b_choice_3;
+        mul_mul_add_f24_ftz_unit_c <= mul_mul_add_f24_ftz_unit_phase_copy3[2] ? mul_mul_add_f24_ftz_unit_c_choice_3 : mul_mul_add_f24_ftz_unit_c_choice_5;
+        mul_mul_add_f24_ftz_unit_d <= mul_mul_add_f24_ftz_unit_phase_copy4[2] ? mul_mul_add_f24_ftz_unit_d_choice_3 : mul_mul_add_f24_ftz_unit_d_choice_5;
+        mul_mul_add_f24_ftz_unit_copy2_a <= mul_mul_add_f24_ftz_unit_copy2_phase[2] ? mul_mul_add_f24_ftz_unit_copy2_a_choice : mul_mul_add_f24_ftz_unit_copy2_a_choice_4;
+        mul_mul_add_f24_ftz_unit_copy2_b <= mul_mul_add_f24_ftz_unit_copy2_phase_copy2[2] ? mul_mul_add_f24_ftz_unit_copy2_b_choice : mul_mul_add_f24_ftz_unit_copy2_b_choice_3;
+        mul_mul_add_f24_ftz_unit_copy2_c <= mul_mul_add_f24_ftz_unit_copy2_phase_copy3[2] ? mul_mul_add_f24_ftz_unit_copy2_c_choice : mul_mul_add_f24_ftz_unit_copy2_c_choice_4;
+        mul_mul_add_f24_ftz_unit_copy2_d <= mul_mul_add_f24_ftz_unit_copy2_phase_copy4[2] ? mul_mul_add_f24_ftz_unit_copy2_d_choice_2 : mul_mul_add_f24_ftz_unit_copy2_d_choice_4;
+        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice : sqrt_f24_ftz_unit_a_choice_2;
         min_f24_ftz_unit_a <= min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
         min_f24_ftz_unit_b <= min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_2 : min_f24_ftz_unit_b_choice_5;
         min_f24_ftz_unit_copy2_a <= min_f24_ftz_unit_copy2_phase[1] ? 24'h470000 : 24'h470000;
         min_f24_ftz_unit_copy2_b <= min_f24_ftz_unit_copy2_phase[1] ? last_difference_chosen_d1 : first_difference_chosen_d1;
-        to_fixed_f24_ftz_u21q8_unit_a <= to_fixed_f24_ftz_u21q8_unit_phase[2] ? max_f24_ftz_unit_y : to_fixed_f24_ftz_u21q8_unit_a_choice_2;
+        to_fixed_f24_ftz_u21q8_unit_a <= to_fixed_f24_ftz_u21q8_unit_phase[2] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
         to_fixed_f24_ftz_u23q8_unit_a <= to_fixed_f24_ftz_u23q8_unit_phase[2] ? min_f24_ftz_unit_copy2_y : min_f24_ftz_unit_y;
-        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_copy2_y;
-        to_fixed_f24_ftz_s27q13_unit_a <= to_fixed_f24_ftz_s27q13_unit_phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_copy2_y;
-        to_fixed_f24_ftz_s17q16_unit_a <= to_fixed_f24_ftz_s17q16_unit_phase[2] ? to_fixed_f24_ftz_s17q16_unit_a_choice_3 : to_fixed_f24_ftz_s17q16_unit_a_choice_4;
-        to_fixed_f24_ftz_u20q19_unit_a <= to_fixed_f24_ftz_u20q19_unit_phase[0] ? sight_far_out_joined_d1_copy2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
-        to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
+        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s27q13_unit_a <= to_fixed_f24_ftz_s27q13_unit_phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s17q16_unit_a <= to_fixed_f24_ftz_s17q16_unit_phase[2] ? to_fixed_f24_ftz_s17q16_unit_a_choice : to_fixed_f24_ftz_s17q16_unit_a_choice_4;
+        to_fixed_f24_ftz_u20q19_unit_a <= to_fixed_f24_ftz_u20q19_unit_phase[1] ? sight_far_out_joined_d1_copy2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
+        to_fixed_f24_ftz_u24q24_unit_a <= to_fixed_f24_ftz_u24q24_unit_phase[2] ? depth_high_out_greater_d1 : to_fixed_f24_ftz_u24q24_unit_a_choice;
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= add_f24_ftz_unit_copy2_y;
-        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[0]) delay_7_from_0[delay_7_from_0_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
+        if (phases_1[0]) delay_7_from_0[delay_7_from_0_pointer] <= one_minus_depth_a_d1;
         if (phases_1[0]) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_8_from_0[delay_8_from_0_pointer] <= all_before_far;
-        if (phases_1[0]) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[0]) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
+        if (phases_1[0]) delay_9_from_0[delay_9_from_0_pointer] <= first_y_chosen_copy5;
         if (phases_1[0]) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
+        if (phases_1[0]) delay_12_from_0[delay_12_from_0_pointer] <= edge_on_or_visible_unequal;
+        if (phases_1[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) delay_21_from_0[delay_21_from_0_pointer] <= in_end;
+        if (phases_1[0]) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
+    end
+    always @(posedge clk) begin
         if (phases_1[0]) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7};
+            delay_22_from_0[delay_22_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
         end
-        if (phases_1[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        if (phases_1[0]) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_14_from_0[delay_14_from_0_pointer] <= first_sum_both;
-        if (phases_1[0]) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_2[0]) begin
-            delay_22_from_0[delay_22_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
-        end
-        if (phases_2[0]) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) delay_5_from_1[delay_5_from_1_pointer] <= first_x;
+        if (phases_1[1]) delay_5_from_1[delay_5_from_1_pointer] <= first_y;
         if (phases_1[1]) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[1]) begin
-            delay_6_from_1[delay_6_from_1_pointer] <= {add_f24_ftz_unit_copy5_y, whole_d1};
-        end
+        if (phases_1[1]) delay_6_from_1[delay_6_from_1_pointer] <= add_f24_ftz_unit_y;
         if (phases_1[1]) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[1]) begin
-            delay_9_from_1[delay_9_from_1_pointer] <= {first_y_chosen_copy5, add_f24_ftz_unit_y};
-        end
-        if (phases_1[1]) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
+        if (phases_1[1]) delay_7_from_1[delay_7_from_1_pointer] <= beyond_near_d1_copy2;
+        if (phases_1[1]) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[1]) delay_11_from_1[delay_11_from_1_pointer] <= odd_or_edge_on_or_not_placed;
+        if (phases_1[1]) begin
+            delay_11_from_1[delay_11_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7};
+        end
         if (phases_1[1]) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[2]) begin
-            delay_10_from_2[delay_10_from_2_pointer] <= {delta_d1[14:0], delta_d1[23]};
-        end
-        if (phases_1[2]) delay_10_from_2_out <= delay_10_from_2[delay_10_from_2_pointer];
+        if (phases_1[2]) delay_6_from_2[delay_6_from_2_pointer] <= add_f24_ftz_unit_copy3_y;
+        if (phases_1[2]) delay_6_from_2_out <= delay_6_from_2[delay_6_from_2_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[2]) begin
-            delay_11_from_2[delay_11_from_2_pointer] <= {last_y_chosen, first_y_chosen_copy7};
+            delay_7_from_2[delay_7_from_2_pointer] <= {add_f24_ftz_unit_copy4_y, 1'd0, mul_f24_ftz_unit_y[22:0]};
         end
-        if (phases_1[2]) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
+        if (phases_1[2]) delay_7_from_2_out <= delay_7_from_2[delay_7_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[2]) delay_19_from_2[delay_19_from_2_pointer] <= reaches_near;
-        if (phases_1[2]) delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
+        if (phases_1[3]) delay_10_from_3[delay_10_from_3_pointer] <= {center_y_out, center_x_out};
+        if (phases_1[3]) delay_10_from_3_out <= delay_10_from_3[delay_10_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[3]) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
-        if (phases_1[3]) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
+        if (phases_1[3]) delay_11_from_3[delay_11_from_3_pointer] <= sight_disc_out;
+        if (phases_1[3]) delay_11_from_3_out <= delay_11_from_3[delay_11_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[4]) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
-        if (phases_1[4]) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
+        if (phases_1[3]) delay_12_from_3[delay_12_from_3_pointer] <= before_far;
+        if (phases_1[3]) delay_12_from_3_out <= delay_12_from_3[delay_12_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[4]) begin
-            delay_7_from_4[delay_7_from_4_pointer] <= {add_f24_ftz_unit_copy3_y, 1'd0, mul_f24_ftz_unit_y[22:0]};
+        if (phases_1[3]) begin
+            delay_14_from_3[delay_14_from_3_pointer] <= {first_difference_difference, first_sum_sum_copy2};
         end
-        if (phases_1[4]) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+        if (phases_1[3]) delay_14_from_3_out <= delay_14_from_3[delay_14_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[4]) begin
-            delay_9_from_4[delay_9_from_4_pointer] <= {
-                my_bits_d1_copy4, mx_bits_d1_copy4, exponent_joined_bits_d1_copy2, exponent_joined_bits_d1,
-                delta_bits_d1
-            };
-        end
-        if (phases_1[4]) delay_9_from_4_out <= delay_9_from_4[delay_9_from_4_pointer];
+        if (phases_1[4]) delay_8_from_4[delay_8_from_4_pointer] <= beyond_near_and_not_turned_d4;
+        if (phases_1[4]) delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (phases_2[4]) begin
-            delay_11_from_4[delay_11_from_4_pointer] <= {
-                my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d3,
-                exponent_chosen_copy6[14:0], b_x_sign_d3
-            };
-        end
-        if (phases_2[4]) delay_11_from_4_out <= delay_11_from_4[delay_11_from_4_pointer];
+        if (phases_1[5]) delay_6_from_5[delay_6_from_5_pointer] <= add_f24_ftz_unit_y;
+        if (phases_1[5]) delay_6_from_5_out <= delay_6_from_5[delay_6_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[5]) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= {first_y, reaches_near_sum_d1_copy2};
-        end
-        if (phases_1[5]) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[5]) delay_7_from_5[delay_7_from_5_pointer] <= beyond_near_and_not_turned_d5;
+        if (phases_1[5]) delay_7_from_5[delay_7_from_5_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
         if (phases_1[5]) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[5]) delay_8_from_5[delay_8_from_5_pointer] <= beyond_near;
+        if (phases_1[5]) delay_8_from_5[delay_8_from_5_pointer] <= delay_8_from_5_data_bits;
         if (phases_1[5]) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[5]) begin
-            delay_10_from_5[delay_10_from_5_pointer] <= {2'd0, exponent_chosen_copy10[22:15], 2'd0, exponent_chosen_copy9[22:15]};
-        end
-        if (phases_1[5]) delay_10_from_5_out <= delay_10_from_5[delay_10_from_5_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[5]) begin
-            delay_11_from_5[delay_11_from_5_pointer] <= {
-                not_zero_is_delta_bits, not_zero_is_my_bits_copy2, not_zero_is_mx_bits_copy2, by_out_inverted,
-                exponent_chosen_copy10[14:0], exponent_chosen_copy10[23], bx_out_inverted,
-                exponent_chosen_copy9[14:0], exponent_chosen_copy9[23]
+        if (phases_2[5]) begin
+            delay_9_from_5[delay_9_from_5_pointer] <= {
+                1'd0, mul_f24_ftz_unit_copy4_y[14:0], sight_near_out_inverted, my_bits_d1, mx_bits_d1,
+                exponent_joined_bits_d1_copy2, exponent_joined_bits_d1, delta_bits_d1, visible_unequal_copy2,
+                turned_and_lowered_chosen_sign, half_depth_chosen, turned_d1
             };
         end
-        if (phases_1[5]) delay_11_from_5_out <= delay_11_from_5[delay_11_from_5_pointer];
+        if (phases_2[5]) delay_9_from_5_out <= delay_9_from_5[delay_9_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (phases_2[5]) begin
-            delay_14_from_5[delay_14_from_5_pointer] <= {first_difference_difference, first_sum_sum_copy2};
+        if (phases_3[5]) begin
+            delay_11_from_5[delay_11_from_5_pointer] <= {
+                my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d3,
+                exponent_chosen_copy6[14:0], b_x_sign_d3, turned_d10
+            };
         end
-        if (phases_2[5]) delay_14_from_5_out <= delay_14_from_5[delay_14_from_5_pointer];
+        if (phases_3[5]) delay_11_from_5_out <= delay_11_from_5[delay_11_from_5_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[6]) begin
-            delay_8_from_6[delay_8_from_6_pointer] <= {turned_and_lowered_chosen_sign, turned_d1};
+            delay_5_from_6[delay_5_from_6_pointer] <= {center_y_d1_copy2, first_x, add_f24_ftz_unit_y};
         end
+        if (phases_1[6]) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[6]) delay_6_from_6[delay_6_from_6_pointer] <= whole_d1;
+        if (phases_1[6]) delay_6_from_6_out <= delay_6_from_6[delay_6_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[6]) delay_7_from_6[delay_7_from_6_pointer] <= all_before_far;
+        if (phases_1[6]) delay_7_from_6_out <= delay_7_from_6[delay_7_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[6]) delay_8_from_6[delay_8_from_6_pointer] <= delay_8_from_5_data_bits;
         if (phases_1[6]) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[6]) delay_9_from_6[delay_9_from_6_pointer] <= visible_unequal_copy2;
+        if (phases_1[6]) begin
+            delay_9_from_6[delay_9_from_6_pointer] <= {
+                1'd0, mul_f24_ftz_unit_copy4_y[14:0], not_sight_far_out_same, 2'd0, exponent_chosen_copy10[22:15],
+                2'd0, exponent_chosen_copy9[22:15]
+            };
+        end
         if (phases_1[6]) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[6]) delay_10_from_6[delay_10_from_6_pointer] <= center_y_out;
-        if (phases_1[6]) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[6]) begin
-            delay_11_from_6[delay_11_from_6_pointer] <= {center_x_out, sight_disc_out};
-        end
-        if (phases_1[6]) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[6]) begin
-            delay_12_from_6[delay_12_from_6_pointer] <= {sight_negative_out_d1, before_far, turned_d9};
-        end
-        if (phases_1[6]) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[7]) begin
-            delay_8_from_7[delay_8_from_7_pointer] <= {3'd0, mul_f24_ftz_unit_copy6_y[22:15], 3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
-        end
-        if (phases_1[7]) delay_8_from_7_out <= delay_8_from_7[delay_8_from_7_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[7]) begin
-            delay_9_from_7[delay_9_from_7_pointer] <= {
-                1'd0, mul_f24_ftz_unit_copy6_y[14:0], not_sight_far_out_same, 1'd0, mul_f24_ftz_unit_copy5_y[14:0],
-                sight_near_out_inverted, half_depth_chosen
+        if (phases_2[6]) begin
+            delay_10_from_6[delay_10_from_6_pointer] <= {
+                odd_or_edge_on_or_not_placed, not_zero_is_my_bits, not_zero_is_mx_bits, by_out_inverted,
+                bx_out_inverted
             };
         end
+        if (phases_2[6]) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_2[6]) begin
+            delay_11_from_6[delay_11_from_6_pointer] <= {
+                not_zero_is_delta_bits, exponent_chosen_copy10[14:0], exponent_chosen_copy10[23],
+                exponent_chosen_copy9[14:0], exponent_chosen_copy9[23]
+            };
+        end
+        if (phases_2[6]) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[6]) delay_14_from_6[delay_14_from_6_pointer] <= whole_and_first_sum_both;
+        if (phases_1[6]) delay_14_from_6_out <= delay_14_from_6[delay_14_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[7]) delay_9_from_7[delay_9_from_7_pointer] <= first_x_chosen_copy5;
         if (phases_1[7]) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[7]) delay_13_from_7[delay_13_from_7_pointer] <= edge_on_or_visible_unequal;
-        if (phases_1[7]) delay_13_from_7_out <= delay_13_from_7[delay_13_from_7_pointer];
+        if (phases_1[7]) begin
+            delay_10_from_7[delay_10_from_7_pointer] <= {delta_d1[14:0], delta_d1[23]};
+        end
+        if (phases_1[7]) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[7]) begin
+            delay_11_from_7[delay_11_from_7_pointer] <= {last_x_chosen, first_x_chosen_copy7};
+        end
+        if (phases_1[7]) delay_11_from_7_out <= delay_11_from_7[delay_11_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[7]) delay_12_from_7[delay_12_from_7_pointer] <= sight_negative_out_d1;
+        if (phases_1[7]) delay_12_from_7_out <= delay_12_from_7[delay_12_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[7]) delay_19_from_7[delay_19_from_7_pointer] <= reaches_near;
+        if (phases_1[7]) delay_19_from_7_out <= delay_19_from_7[delay_19_from_7_pointer];
     end
 
     wire _unused = &{
@@ -9438,8 +9380,6 @@ module splat_setup (
     };
 
 `ifdef RTL_ASSERT
-    reg [2:0] to_fixed_f24_ftz_u24q24_unit_phase;
-
     wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
     wire check_both_2 = check_both & (phases_5 == phases_1) & (phases_6 == phases_1) & (phases_7 == phases_1);
     wire check_both_3 = check_both_2 & (phases_8 == phases_1) & (phases_9 == phases_1) & (phases_10 == phases_1);
@@ -9448,57 +9388,42 @@ module splat_setup (
     wire check_both_6 = check_both_5 & ((max_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((max_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
     wire check_both_7 = check_both_6 & ((max_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
     wire check_both_8 = check_both_7 & ((max_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_9 = check_both_8 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((lt_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_10 = check_both_9 & ((lt_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_13 = check_both_12 & ((add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_14 = check_both_13 & ((add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_15 = check_both_14 & ((add_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
-    wire check_both_16 = check_both_15 & ((add_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_17 = check_both_16 & ((add_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
-    wire check_both_18 = check_both_17 & ((add_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_19 = check_both_18 & ((add_f24_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
-    wire check_both_20 = check_both_19 & ((add_f24_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_21 = check_both_20 & ((add_f24_ftz_unit_copy6_phase == 3'd0) == phases_1[0]);
-    wire check_both_22 = check_both_21 & ((add_f24_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_23 = check_both_22 & ((add_f24_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
-    wire check_both_24 = check_both_23 & ((add_f24_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_25 = check_both_24 & ((recip_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_26 = check_both_25 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_27 = check_both_26 & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_28 = check_both_27 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_29 = check_both_28 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_30 = check_both_29 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
-    wire check_both_31 = check_both_30 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_32 = check_both_31 & ((mul_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
-    wire check_both_33 = check_both_32 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_34 = check_both_33 & ((mul_f24_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
-    wire check_both_35 = check_both_34 & ((mul_f24_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_36 = check_both_35 & ((mul_f24_ftz_unit_copy6_phase == 3'd0) == phases_1[0]);
-    wire check_both_37 = check_both_36 & ((mul_f24_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_38 = check_both_37 & ((mul_f24_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
-    wire check_both_39 = check_both_38 & ((mul_f24_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_40 = check_both_39 & ((mul_f24_ftz_unit_copy8_phase == 3'd0) == phases_1[0]);
-    wire check_both_41 = check_both_40 & ((mul_f24_ftz_unit_copy8_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_42 = check_both_41 & ((sqrt_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_43 = check_both_42 & ((le_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((min_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_44 = check_both_43 & ((min_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_45 = check_both_44 & ((min_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_46 = check_both_45 & ((to_fixed_f24_ftz_u21q8_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_47 = check_both_46 & ((to_fixed_f24_ftz_u23q8_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_48 = check_both_47 & ((to_fixed_f24_ftz_s22q8_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_49 = check_both_48 & ((to_fixed_f24_ftz_s27q13_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_50 = check_both_49 & ((to_fixed_f24_ftz_s17q16_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_51 = check_both_50 & ((to_fixed_f24_ftz_u20q19_unit_phase == 3'd0) == phases_1[0]);
-
-    always @(posedge clk) begin
-        if (rst) begin
-            to_fixed_f24_ftz_u24q24_unit_phase <= 3'd0;
-        end else begin
-            to_fixed_f24_ftz_u24q24_unit_phase <= (to_fixed_f24_ftz_u24q24_unit_phase == 3'd7) ? (to_fixed_f24_ftz_u24q24_unit_phase - 3'd7) : (to_fixed_f24_ftz_u24q24_unit_phase + 3'd1);
-        end
-    end
+    wire check_both_9 = check_both_8 & ((add_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((add_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((add_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_15 = check_both_14 & ((add_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_16 = check_both_15 & ((add_f24_ftz_unit_copy5_phase == 3'd0) == phases_1[0]);
+    wire check_both_17 = check_both_16 & ((add_f24_ftz_unit_copy5_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_18 = check_both_17 & ((recip_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_19 = check_both_18 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_25 = check_both_24 & ((mul_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
+    wire check_both_26 = check_both_25 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_27 = check_both_26 & ((mul_mul_add_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_28 = check_both_27 & ((mul_mul_add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_29 = check_both_28 & ((mul_mul_add_f24_ftz_unit_phase_copy3 == 3'd0) == phases_1[0]);
+    wire check_both_30 = check_both_29 & ((mul_mul_add_f24_ftz_unit_phase_copy4 == 3'd0) == phases_1[0]);
+    wire check_both_31 = check_both_30 & ((mul_mul_add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_same = (mul_mul_add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0];
+    wire check_same_2 = (mul_mul_add_f24_ftz_unit_copy2_phase_copy3 == 3'd0) == phases_1[0];
+    wire check_same_3 = (mul_mul_add_f24_ftz_unit_copy2_phase_copy4 == 3'd0) == phases_1[0];
+    wire check_both_32 = check_both_31 & check_same & check_same_2 & check_same_3 & ((sqrt_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_33 = check_both_32 & ((min_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_34 = check_both_33 & ((min_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_35 = check_both_34 & ((min_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_36 = check_both_35 & ((to_fixed_f24_ftz_u21q8_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_37 = check_both_36 & ((to_fixed_f24_ftz_u23q8_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_38 = check_both_37 & ((to_fixed_f24_ftz_s22q8_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_39 = check_both_38 & ((to_fixed_f24_ftz_s27q13_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_40 = check_both_39 & ((to_fixed_f24_ftz_s17q16_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_41 = check_both_40 & ((to_fixed_f24_ftz_u20q19_unit_phase == 3'd0) == phases_1[0]);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -9509,7 +9434,7 @@ module splat_setup (
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
         queue_4_in_step: assert (queue_4_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_51 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]));
+        phases_are_in_step: assert (check_both_41 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -9532,7 +9457,7 @@ module splat_setup (
         if (!(queue_4_out_valid == out_valid)) begin
             $display("assertion failed: queue_4_in_step in %m"); $stop;
         end
-        if (!(check_both_51 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]))) begin
+        if (!(check_both_41 & ((to_fixed_f24_ftz_u24q24_unit_phase == 3'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -9541,20 +9466,20 @@ module splat_setup (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 23
+// depth = 22
 // width = 40
 // storage = distributed
-module stream_fifo_d23_w40_distributed (
+module stream_fifo_d22_w40_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [39:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [39:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [39:0] entries [0:22];
+    reg [39:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
     reg [39:0] item;
 
-    wire has_room = ~(held == 5'd23);
+    wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
     wire fetch = |waiting & (~out_valid | out_ready);
@@ -9573,8 +9498,8 @@ module stream_fifo_d23_w40_distributed (
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
@@ -9585,10 +9510,10 @@ module stream_fifo_d23_w40_distributed (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd23);
+        held_in_range: assert (held <= 5'd22);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -9598,20 +9523,20 @@ module stream_fifo_d23_w40_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 23
+// depth = 22
 // width = 120
 // storage = distributed
-module stream_fifo_d23_w120_distributed (
+module stream_fifo_d22_w120_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [119:0] entries [0:22];
+    reg [119:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 5'd23);
+    wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
     wire fetch = |waiting & (~out_valid | out_ready);
@@ -9630,8 +9555,8 @@ module stream_fifo_d23_w120_distributed (
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
@@ -9642,10 +9567,10 @@ module stream_fifo_d23_w120_distributed (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd23);
+        held_in_range: assert (held <= 5'd22);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -9655,20 +9580,20 @@ module stream_fifo_d23_w120_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 23
+// depth = 22
 // width = 123
 // storage = distributed
-module stream_fifo_d23_w123_distributed (
+module stream_fifo_d22_w123_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [122:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [122:0] entries [0:22];
+    reg [122:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
     reg [122:0] item;
 
-    wire has_room = ~(held == 5'd23);
+    wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
     wire fetch = |waiting & (~out_valid | out_ready);
@@ -9687,8 +9612,8 @@ module stream_fifo_d23_w123_distributed (
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
@@ -9699,10 +9624,10 @@ module stream_fifo_d23_w123_distributed (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd23);
+        held_in_range: assert (held <= 5'd22);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -9712,20 +9637,20 @@ module stream_fifo_d23_w123_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 23
+// depth = 22
 // width = 117
 // storage = distributed
-module stream_fifo_d23_w117_distributed (
+module stream_fifo_d22_w117_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [116:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [116:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [116:0] entries [0:22];
+    reg [116:0] entries [0:21];
     reg [4:0] held, waiting, write_address, read_address;
     reg [116:0] item;
 
-    wire has_room = ~(held == 5'd23);
+    wire has_room = ~(held == 5'd22);
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
     wire fetch = |waiting & (~out_valid | out_ready);
@@ -9744,8 +9669,8 @@ module stream_fifo_d23_w117_distributed (
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
+            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
@@ -9756,10 +9681,10 @@ module stream_fifo_d23_w117_distributed (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd23);
+        held_in_range: assert (held <= 5'd22);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -10382,6 +10307,20 @@ module float_sqrt_s18_f24ftz (
     };
 endmodule
 
+// Floating-point sum with products, each of them rounded.
+// format = f24-ftz
+module float_mul_mul_add_f24ftz_v2 (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
+    input  wire [23:0] d,
+    output wire [23:0] y
+);
+    wire [23:0] product_y, second_product_y;
+
+    float_mul_s5_f24ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_mul_s5_f24ftz second_product (.clk(clk), .enable(enable), .a(c), .b(d), .y(second_product_y));
+    float_add_s6_f24ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(second_product_y), .y(y));
+endmodule
+
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
@@ -10732,7 +10671,7 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // World space to camera space.
-// latency = 36
+// latency = 34
 // initiation_interval = 8
 module splat_transform (
     input  wire clk, input wire rst,
@@ -10786,55 +10725,38 @@ module splat_transform (
     reg [36:0] delay_5_from_0_out;
     reg [23:0] center_x_d1, center_y_d1, center_z_d1;
     reg [7:0] phases_2;
-    reg [23:0] m02_times_center_z_d1, u_x_sum_d1, m12_times_center_z_d1, u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2;
-    reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
+    reg [23:0] center_z_d2, u_y_sum_d1, u_x_d1, u_z_d1, u_z_d2, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
+    reg [23:0] tangent1_z_d2, v1_x_d1, v1_x_d2, v1_y_d1, v1_y_d2, v1_z_d1, v1_z_d2;
     reg [7:0] phases_3;
-    reg [23:0] m00_times_tangent1_x_d1, m02_times_tangent1_z_d1, v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1;
-    reg [23:0] v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
-    reg [23:0] m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1;
+    reg [23:0] tangent2_x_d1, tangent2_y_d1, tangent2_z_d1, tangent2_z_d2, v2_x_d1;
     reg [7:0] phases_4;
-    reg [23:0] v2_x_d2, v2_y_sum_d1, m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1;
-    reg [23:0] v2_z_d2;
-    reg near_plane_below_u_z_d1;
+    reg [23:0] v2_x_d2, v2_y_d1, v2_y_d2, m20_times_tangent2_x_d1, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
     reg [23:0] kept_joined_d1;
     reg kept_greater_bits_is_zero_d1;
     reg [23:0] kept_chosen_d1;
-    reg [2:0] mul_f24_ftz_unit_phase;
-    reg [23:0] mul_f24_ftz_unit_a;
-    reg [2:0] mul_f24_ftz_unit_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_b;
-    reg [2:0] mul_f24_ftz_unit_copy2_phase;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [2:0] mul_f24_ftz_unit_copy2_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [2:0] mul_f24_ftz_unit_copy3_phase;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [2:0] mul_f24_ftz_unit_copy3_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [2:0] mul_f24_ftz_unit_copy4_phase;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [2:0] mul_f24_ftz_unit_copy4_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase;
+    reg [23:0] mul_mul_add_f24_ftz_unit_a;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_mul_add_f24_ftz_unit_b;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy3;
+    reg [23:0] mul_mul_add_f24_ftz_unit_c;
+    reg [2:0] mul_mul_add_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_mul_add_f24_ftz_unit_d;
+    reg [2:0] mul_add_f24_ftz_unit_phase;
+    reg [23:0] mul_add_f24_ftz_unit_a;
+    reg [2:0] mul_add_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_add_f24_ftz_unit_b, mul_add_f24_ftz_unit_c;
     reg [2:0] add_f24_ftz_unit_phase;
     reg [23:0] add_f24_ftz_unit_a;
     reg [2:0] add_f24_ftz_unit_phase_copy2;
     reg [23:0] add_f24_ftz_unit_b;
-    reg [2:0] add_f24_ftz_unit_copy2_phase;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [2:0] add_f24_ftz_unit_copy2_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [2:0] add_f24_ftz_unit_copy3_phase;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [2:0] add_f24_ftz_unit_copy3_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg [2:0] lt_f24_ftz_unit_phase;
-    reg [23:0] lt_f24_ftz_unit_a, lt_f24_ftz_unit_b;
+    reg [2:0] mul_f24_ftz_unit_phase;
+    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
     reg [4:0] in_flight;
     reg left, dropped;
 
-    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
-    wire lt_f24_ftz_unit_y;
+    wire [23:0] mul_mul_add_f24_ftz_unit_y, mul_add_f24_ftz_unit_y, add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
+    wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
     wire [23:0] max_f24_ftz_unit_y;
     wire queue_1_in_ready;
     wire [120:0] queue_1_out_data;
@@ -10843,11 +10765,11 @@ module splat_transform (
     wire queue_3_in_ready, queue_3_out_valid;
 
     assign in_ready = ~credits[3] & phases_1[0];
-    wire in_flight_4_and_phases_1_4 = in_flight[4] & phases_1[4];
+    wire in_flight_4_and_phases_1_2 = in_flight[4] & phases_1[2];
     wire end_d5 = delay_5_from_0_out[0];
-    wire kept_either = near_plane_below_u_z_d1 | lt_f24_ftz_unit_y;
+    wire kept_either = lt_f24_ftz_unit_y | lt_f24_ftz_unit_copy2_y;
     wire end_or_kept_either = end_d5 | kept_either;
-    wire kept = in_flight_4_and_phases_1_4 & end_or_kept_either;
+    wire kept = in_flight_4_and_phases_1_2 & end_or_kept_either;
     wire [11:0] attribute_0_d5 = delay_5_from_0_out[12:1];
     wire [11:0] attribute_1_d5 = delay_5_from_0_out[24:13];
     wire [11:0] attribute_2_d5 = delay_5_from_0_out[36:25];
@@ -10859,109 +10781,77 @@ module splat_transform (
     wire [14:0] kept_chosen_copy2 = kept_greater_bits_is_254 ? 15'd0 : max_f24_ftz_unit_y[14:0];
     wire kept_greater_bits_is_zero = max_f24_ftz_unit_y[22:15] == 8'd0;
     wire [23:0] kept_chosen_copy3 = kept_greater_bits_is_zero_d1 ? 24'd0 : kept_joined_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase[0] ? m02 : m00;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice;
-    wire [23:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : tangent1_z_d1) : mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d1 : tangent2_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : center_x_d1) : mul_f24_ftz_unit_phase_copy2[0] ? tangent2_x_d1 : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22 : m02) : m01;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m12 : m01) : m21;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent1_z_d1 : tangent2_z_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_y_d1 : tangent1_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? center_z_d1 : center_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_y_d1 : in_center_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase[1] ? (mul_f24_ftz_unit_copy3_phase[0] ? m00 : m10) : m20;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? tangent2_x_d1 : tangent1_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy3_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? tangent1_x_d1 : center_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_b_choice_3 : in_tangent1_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase[1] ? (mul_f24_ftz_unit_copy4_phase[0] ? m22 : m11) : m21;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? tangent2_y_d1 : tangent1_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? tangent2_z_d1 : center_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_b_choice_2 : in_tangent1_y;
-    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? m23 : m00_times_tangent2_x_d1) : add_f24_ftz_unit_phase[0] ? m00_times_tangent1_x_d1 : m13;
-    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : m02_times_center_z_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y : u_y_sum_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase[0] ? v2_y_sum_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : m12_times_center_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? m12_times_tangent2_z_d1 : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy4_y : m02_times_tangent1_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase[1] ? (add_f24_ftz_unit_copy3_phase[0] ? m03 : mul_f24_ftz_unit_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? u_x_sum_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_b_choice : m22_times_tangent2_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[0] ? m02_times_tangent2_z_d1 : m12_times_tangent1_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[1] ? kept_chosen_d1 : add_f24_ftz_unit_copy3_b_choice_3;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice = mul_mul_add_f24_ftz_unit_phase[0] ? m10 : m00;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice_2 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice : mul_mul_add_f24_ftz_unit_a_choice;
+    wire [23:0] mul_mul_add_f24_ftz_unit_a_choice_3 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice : m20;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? tangent1_x_d1 : in_center_x;
+    wire [23:0] mul_mul_add_f24_ftz_unit_b_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? center_x_d1 : mul_mul_add_f24_ftz_unit_b_choice_2;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? m11 : m01;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_c_choice : mul_mul_add_f24_ftz_unit_c_choice;
+    wire [23:0] mul_mul_add_f24_ftz_unit_c_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_c_choice : m21;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? tangent1_y_d1 : in_center_y;
+    wire [23:0] mul_mul_add_f24_ftz_unit_d_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? center_y_d1 : mul_mul_add_f24_ftz_unit_d_choice_2;
+    wire [23:0] mul_add_f24_ftz_unit_a_choice = mul_add_f24_ftz_unit_phase[0] ? m02 : m12;
+    wire [23:0] mul_add_f24_ftz_unit_a_choice_2 = mul_add_f24_ftz_unit_phase[1] ? (mul_add_f24_ftz_unit_phase[0] ? m22 : m12) : mul_add_f24_ftz_unit_a_choice;
+    wire [23:0] mul_add_f24_ftz_unit_a_choice_3 = mul_add_f24_ftz_unit_phase[1] ? mul_add_f24_ftz_unit_a_choice : mul_add_f24_ftz_unit_phase[0] ? m02 : m22;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice = mul_add_f24_ftz_unit_phase_copy2[0] ? center_z_d1 : tangent2_z_d2;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice_2 = mul_add_f24_ftz_unit_phase_copy2[0] ? tangent2_z_d2 : tangent1_z_d2;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice_3 = mul_add_f24_ftz_unit_phase_copy2[1] ? mul_add_f24_ftz_unit_b_choice : mul_add_f24_ftz_unit_b_choice_2;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice_4 = mul_add_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d2 : center_z_d2;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice_5 = mul_add_f24_ftz_unit_phase_copy2[0] ? center_z_d2 : tangent1_z_d1;
+    wire [23:0] mul_add_f24_ftz_unit_b_choice_6 = mul_add_f24_ftz_unit_phase_copy2[1] ? mul_add_f24_ftz_unit_b_choice_4 : mul_add_f24_ftz_unit_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[1] ? m20_times_tangent2_x_d1 : add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : m03;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? m13 : m23) : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? m22_times_tangent2_z_d1 : mul_add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_b_choice;
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy2[0] ? u_y_sum_d1 : mul_add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice_3 : kept_chosen_d1;
 
     assign {out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y} = queue_1_out_data;
     assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
 
-    float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
+    float_mul_mul_add_f24ftz mul_mul_add_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
+        .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
 
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
-        .y(mul_f24_ftz_unit_copy2_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
-        .y(mul_f24_ftz_unit_copy3_y)
-    );
-
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
-        .y(mul_f24_ftz_unit_copy4_y)
+    float_mul_add_f24ftz mul_add_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_add_f24_ftz_unit_a), .b(mul_add_f24_ftz_unit_b),
+        .c(mul_add_f24_ftz_unit_c), .y(mul_add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
-        .y(add_f24_ftz_unit_copy2_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
-        .y(add_f24_ftz_unit_copy3_y)
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b), .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(u_z_d1), .y(lt_f24_ftz_unit_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_copy2_y)
     );
 
     float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a({1'd0, v1_z_d1[22:0]}), .b({1'd0, add_f24_ftz_unit_copy3_y[22:0]}),
+        .clk(clk), .enable(1'd1), .a({1'd0, v1_z_d1[22:0]}), .b({1'd0, add_f24_ftz_unit_y[22:0]}),
         .y(max_f24_ftz_unit_y)
     );
 
     stream_fifo_d5_w121_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({end_d5, u_x_d1, u_y_d1, u_z_d2, v1_x_d2, v1_y_d2}),
+        .in_data({end_d5, u_x_d1, add_f24_ftz_unit_y, u_z_d2, v1_x_d2, v1_y_d2}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
     stream_fifo_d5_w120_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data({v1_z_d3, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_d5, attribute_1_d5}),
+        .in_data({v1_z_d2, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_d5, attribute_1_d5}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
@@ -10978,21 +10868,15 @@ module splat_transform (
             phases_2 <= 8'd1;
             phases_3 <= 8'd1;
             phases_4 <= 8'd1;
-            mul_f24_ftz_unit_phase <= 3'd0;
-            mul_f24_ftz_unit_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy2_phase <= 3'd0;
-            mul_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy3_phase <= 3'd0;
-            mul_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
-            mul_f24_ftz_unit_copy4_phase <= 3'd0;
-            mul_f24_ftz_unit_copy4_phase_copy2 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= 3'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= 3'd0;
+            mul_add_f24_ftz_unit_phase <= 3'd0;
+            mul_add_f24_ftz_unit_phase_copy2 <= 3'd0;
             add_f24_ftz_unit_phase <= 3'd0;
             add_f24_ftz_unit_phase_copy2 <= 3'd0;
-            add_f24_ftz_unit_copy2_phase <= 3'd0;
-            add_f24_ftz_unit_copy2_phase_copy2 <= 3'd0;
-            add_f24_ftz_unit_copy3_phase <= 3'd0;
-            add_f24_ftz_unit_copy3_phase_copy2 <= 3'd0;
-            lt_f24_ftz_unit_phase <= 3'd0;
+            mul_f24_ftz_unit_phase <= 3'd0;
             in_flight <= 5'd0;
             left <= 1'd0;
             dropped <= 1'd0;
@@ -11002,23 +10886,17 @@ module splat_transform (
             phases_2 <= {phases_2[6:0], phases_2[7]};
             phases_3 <= {phases_3[6:0], phases_3[7]};
             phases_4 <= {phases_4[6:0], phases_4[7]};
-            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
-            mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 3'd7) ? (mul_f24_ftz_unit_copy2_phase - 3'd7) : (mul_f24_ftz_unit_copy2_phase + 3'd1);
-            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy3_phase <= (mul_f24_ftz_unit_copy3_phase == 3'd7) ? (mul_f24_ftz_unit_copy3_phase - 3'd7) : (mul_f24_ftz_unit_copy3_phase + 3'd1);
-            mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
-            mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 3'd7) ? (mul_f24_ftz_unit_copy4_phase - 3'd7) : (mul_f24_ftz_unit_copy4_phase + 3'd1);
-            mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 3'd7) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 3'd7) : (mul_f24_ftz_unit_copy4_phase_copy2 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase <= (mul_mul_add_f24_ftz_unit_phase == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase - 3'd7) : (mul_mul_add_f24_ftz_unit_phase + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= (mul_mul_add_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy2 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= (mul_mul_add_f24_ftz_unit_phase_copy3 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy3 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy3 + 3'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= (mul_mul_add_f24_ftz_unit_phase_copy4 == 3'd7) ? (mul_mul_add_f24_ftz_unit_phase_copy4 - 3'd7) : (mul_mul_add_f24_ftz_unit_phase_copy4 + 3'd1);
+            mul_add_f24_ftz_unit_phase <= (mul_add_f24_ftz_unit_phase == 3'd7) ? (mul_add_f24_ftz_unit_phase - 3'd7) : (mul_add_f24_ftz_unit_phase + 3'd1);
+            mul_add_f24_ftz_unit_phase_copy2 <= (mul_add_f24_ftz_unit_phase_copy2 == 3'd7) ? (mul_add_f24_ftz_unit_phase_copy2 - 3'd7) : (mul_add_f24_ftz_unit_phase_copy2 + 3'd1);
             add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 3'd7) ? (add_f24_ftz_unit_phase - 3'd7) : (add_f24_ftz_unit_phase + 3'd1);
             add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_phase_copy2 - 3'd7) : (add_f24_ftz_unit_phase_copy2 + 3'd1);
-            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 3'd7) ? (add_f24_ftz_unit_copy2_phase - 3'd7) : (add_f24_ftz_unit_copy2_phase + 3'd1);
-            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy2_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy2_phase_copy2 + 3'd1);
-            add_f24_ftz_unit_copy3_phase <= (add_f24_ftz_unit_copy3_phase == 3'd7) ? (add_f24_ftz_unit_copy3_phase - 3'd7) : (add_f24_ftz_unit_copy3_phase + 3'd1);
-            add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 3'd7) ? (add_f24_ftz_unit_copy3_phase_copy2 - 3'd7) : (add_f24_ftz_unit_copy3_phase_copy2 + 3'd1);
-            lt_f24_ftz_unit_phase <= (lt_f24_ftz_unit_phase == 3'd7) ? (lt_f24_ftz_unit_phase - 3'd7) : (lt_f24_ftz_unit_phase + 3'd1);
+            mul_f24_ftz_unit_phase <= (mul_f24_ftz_unit_phase == 3'd7) ? (mul_f24_ftz_unit_phase - 3'd7) : (mul_f24_ftz_unit_phase + 3'd1);
             left <= out_valid & out_ready;
-            dropped <= in_flight_4_and_phases_1_4 & ~end_or_kept_either;
+            dropped <= in_flight_4_and_phases_1_2 & ~end_or_kept_either;
             if (phases_1[0]) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 in_flight <= {in_flight[3:0], in_valid_and_in_ready};
@@ -11032,80 +10910,62 @@ module splat_transform (
             center_z_d1 <= in_center_z;
         end
         if (phases_2[0]) begin
-            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            m12_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            center_z_d2 <= center_z_d1;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
         end
         if (phases_1[5]) begin
-            u_x_sum_d1 <= add_f24_ftz_unit_y;
-            u_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            near_plane_below_u_z_d1 <= lt_f24_ftz_unit_y;
+            u_y_sum_d1 <= mul_add_f24_ftz_unit_y;
+            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
+        end
+        if (phases_1[3]) begin
+            u_x_d1 <= add_f24_ftz_unit_y;
+            v1_z_d1 <= mul_add_f24_ftz_unit_y;
+            v1_z_d2 <= v1_z_d1;
+        end
+        if (phases_1[1]) begin
+            u_z_d1 <= add_f24_ftz_unit_y;
+            u_z_d2 <= u_z_d1;
+            v2_y_d1 <= mul_add_f24_ftz_unit_y;
+            v2_y_d2 <= v2_y_d1;
         end
         if (phases_1[6]) begin
-            u_x_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_x_d1 <= mul_add_f24_ftz_unit_y;
+            v1_x_d2 <= v1_x_d1;
             kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
             kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
         end
         if (phases_1[7]) begin
-            u_y_d1 <= add_f24_ftz_unit_y;
-            v1_x_d1 <= add_f24_ftz_unit_copy2_y;
-            v1_x_d2 <= v1_x_d1;
-            v1_y_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_y_d1 <= mul_add_f24_ftz_unit_y;
             v1_y_d2 <= v1_y_d1;
-        end
-        if (phases_1[2]) begin
-            u_z_d1 <= add_f24_ftz_unit_y;
-            u_z_d2 <= u_z_d1;
-            m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
-            v2_y_d1 <= add_f24_ftz_unit_copy2_y;
-            v2_y_d2 <= v2_y_d1;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
+            kept_chosen_d1 <= kept_chosen_copy3;
         end
         if (phases_3[0]) begin
-            m00_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy3_y;
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            tangent2_z_d2 <= tangent2_z_d1;
+            v2_x_d1 <= mul_add_f24_ftz_unit_y;
         end
-        if (phases_1[3]) begin
-            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
-            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
-            v1_z_d2 <= v1_z_d1;
-            v1_z_d3 <= v1_z_d2;
-            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-        end
-        if (phases_1[1]) begin
-            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
-            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-        end
-        if (phases_4[0]) begin
-            v2_x_d2 <= v2_x_d1;
-            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy4_y;
-        end
-        if (phases_2[3]) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
+        if (phases_4[0]) v2_x_d2 <= v2_x_d1;
         if (phases_1[4]) begin
-            v2_z_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_z_d1 <= add_f24_ftz_unit_y;
             v2_z_d2 <= v2_z_d1;
         end
-        if (phases_2[7]) kept_chosen_d1 <= kept_chosen_copy3;
-        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice : m20;
-        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
-        mul_f24_ftz_unit_copy2_b <= mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
-        mul_f24_ftz_unit_copy3_a <= mul_f24_ftz_unit_copy3_phase[2] ? (mul_f24_ftz_unit_copy3_phase[1] ? m12 : m10) : mul_f24_ftz_unit_copy3_a_choice;
-        mul_f24_ftz_unit_copy3_b <= mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_b_choice_2 : mul_f24_ftz_unit_copy3_b_choice_4;
-        mul_f24_ftz_unit_copy4_a <= mul_f24_ftz_unit_copy4_phase[2] ? m11 : mul_f24_ftz_unit_copy4_a_choice;
-        mul_f24_ftz_unit_copy4_b <= mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_3;
-        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
-        add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
-        add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
-        add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
-        add_f24_ftz_unit_copy3_a <= add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_3;
-        add_f24_ftz_unit_copy3_b <= add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
-        lt_f24_ftz_unit_a <= near_plane;
-        lt_f24_ftz_unit_b <= lt_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+        mul_mul_add_f24_ftz_unit_a <= mul_mul_add_f24_ftz_unit_phase[2] ? mul_mul_add_f24_ftz_unit_a_choice_2 : mul_mul_add_f24_ftz_unit_a_choice_3;
+        mul_mul_add_f24_ftz_unit_b <= mul_mul_add_f24_ftz_unit_phase_copy2[2] ? mul_mul_add_f24_ftz_unit_b_choice : mul_mul_add_f24_ftz_unit_b_choice_3;
+        mul_mul_add_f24_ftz_unit_c <= mul_mul_add_f24_ftz_unit_phase_copy3[2] ? mul_mul_add_f24_ftz_unit_c_choice_2 : mul_mul_add_f24_ftz_unit_c_choice_3;
+        mul_mul_add_f24_ftz_unit_d <= mul_mul_add_f24_ftz_unit_phase_copy4[2] ? mul_mul_add_f24_ftz_unit_d_choice : mul_mul_add_f24_ftz_unit_d_choice_3;
+        mul_add_f24_ftz_unit_a <= mul_add_f24_ftz_unit_phase[2] ? mul_add_f24_ftz_unit_a_choice_2 : mul_add_f24_ftz_unit_a_choice_3;
+        mul_add_f24_ftz_unit_b <= mul_add_f24_ftz_unit_phase_copy2[2] ? mul_add_f24_ftz_unit_b_choice_3 : mul_add_f24_ftz_unit_b_choice_6;
+        mul_add_f24_ftz_unit_c <= mul_mul_add_f24_ftz_unit_y;
+        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+        add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_4;
+        mul_f24_ftz_unit_a <= mul_f24_ftz_unit_phase[1] ? m22 : mul_f24_ftz_unit_phase[0] ? m21 : m20;
+        mul_f24_ftz_unit_b <= mul_f24_ftz_unit_phase[1] ? tangent2_z_d1 : mul_f24_ftz_unit_phase[0] ? tangent2_y_d1 : in_tangent2_x;
     end
     always @(posedge clk) begin
         if (phases_1[0]) begin
@@ -11120,19 +10980,25 @@ module splat_transform (
     };
 
 `ifdef RTL_ASSERT
+    reg [2:0] mul_add_f24_ftz_unit_phase_copy3;
+
     wire check_both = (phases_2 == phases_1) & (phases_3 == phases_1) & (phases_4 == phases_1);
-    wire check_both_2 = check_both & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((mul_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
-    wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy4_phase == 3'd0) == phases_1[0]);
-    wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_2 = check_both & ((mul_mul_add_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_3 = check_both_2 & ((mul_mul_add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_4 = check_both_3 & ((mul_mul_add_f24_ftz_unit_phase_copy3 == 3'd0) == phases_1[0]);
+    wire check_both_5 = check_both_4 & ((mul_mul_add_f24_ftz_unit_phase_copy4 == 3'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((mul_add_f24_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((mul_add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((mul_add_f24_ftz_unit_phase_copy3 == 3'd0) == phases_1[0]);
     wire check_both_9 = check_both_8 & ((add_f24_ftz_unit_phase == 3'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
-    wire check_both_13 = check_both_12 & ((add_f24_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            mul_add_f24_ftz_unit_phase_copy3 <= 3'd0;
+        end else begin
+            mul_add_f24_ftz_unit_phase_copy3 <= (mul_add_f24_ftz_unit_phase_copy3 == 3'd7) ? (mul_add_f24_ftz_unit_phase_copy3 - 3'd7) : (mul_add_f24_ftz_unit_phase_copy3 + 3'd1);
+        end
+    end
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -11141,7 +11007,7 @@ module splat_transform (
         queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_13 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]));
+        phases_are_in_step: assert (check_both_9 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -11158,7 +11024,7 @@ module splat_transform (
         if (!(queue_3_out_valid == out_valid)) begin
             $display("assertion failed: queue_3_in_step in %m"); $stop;
         end
-        if (!(check_both_13 & ((lt_f24_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
+        if (!(check_both_9 & ((mul_f24_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -11384,6 +11250,32 @@ module float_lt_s2_f24ftz (
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f24-ftz
+module float_mul_add_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
+    output wire [23:0] y
+);
+    wire [23:0] product_y;
+
+    float_mul_s4_f24ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_add_s6_f24ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(c), .y(y));
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f24-ftz
+module float_mul_mul_add_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
+    input  wire [23:0] d,
+    output wire [23:0] y
+);
+    wire [23:0] product_y, second_product_y;
+
+    float_mul_s4_f24ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_mul_s4_f24ftz second_product (.clk(clk), .enable(enable), .a(c), .b(d), .y(second_product_y));
+    float_add_s6_f24ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(second_product_y), .y(y));
 endmodule
 
 // Floating-point sum.

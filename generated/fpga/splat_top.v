@@ -5073,7 +5073,7 @@ module splat_tile_cache (
     reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [10:0] head_splat;  // Place of its splat's payload.
-    reg clearing;
+    reg clearing, clearing_second;
     reg [12:0] cleared;
     reg surface;
     reg [63:0] mask;
@@ -5168,6 +5168,8 @@ module splat_tile_cache (
     wire write_queue_in_ready;
     wire [338:0] write_queue_out_data;
 
+    wire frame_is_whole = arrived & arrived_end;
+    wire full_either = clearing | (clearing_second & (arriving_surface | frame_is_whole));
     wire [63:0] mask_that_comes = {64{comes}} & mask;
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
     wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
@@ -5194,6 +5196,8 @@ module splat_tile_cache (
     wire may_fill = moving & may_fill_either & (~filling | fills);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
+    wire word_is_cleared_both = clearing_second & ~(changed | frame_leaves | (arrived | forgets));
+    wire word_is_cleared = clearing | word_is_cleared_both;
     wire may_leave = |seen_mask & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
     wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
@@ -5292,6 +5296,7 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[30:27];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[26:23];
     wire [10:0] in_queue_out_splat = in_queue_out_data[10:0];
+    wire [12:0] cleared_plus_1 = cleared + 13'd1;
     wire start = misses & (~any_wanted & ~sends);
     wire next_is_0 = next == 3'd0;
     wire next_is_1 = next == 3'd1;
@@ -5468,7 +5473,6 @@ module splat_tile_cache (
     };
     wire seen_stays_either = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
     wire seen_stays_either_2 = seen_stays_either | (goes & end_waits_either_2 & (goes_tile == looked_at));
-    wire frame_is_whole = arrived & arrived_end;
     wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
     wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
     wire overtaken_or_overtaken_both_2 = overtaken | overtaken_both_2;
@@ -5486,7 +5490,7 @@ module splat_tile_cache (
         pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
     } = pixel_queue_out_data;
     assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
-    assign full = clearing | (whole_frames[1] | (whole_frames[0] & frame_is_given));
+    assign full = full_either | (whole_frames[1] | (whole_frames[0] & frame_is_given));
     assign change_valid = |unchanged;
     assign change_slot = slot;
     assign change_banks = unchanged;
@@ -5506,17 +5510,17 @@ module splat_tile_cache (
     assign fill_slot = slot;
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
-        .clk(clk), .write(mask_is_kept | clearing | sends),
-        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
+        .clk(clk), .write(mask_is_kept | word_is_cleared | sends),
+        .write_address(word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
         .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
         .read_data(stored_mask)
     );
 
     memory_1w1r_unordered #(.WIDTH(12), .DEPTH(8192)) last_copies (
-        .clk(clk), .write(clearing | (copy_enters | forgets)),
-        .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
-        .write_data({copy_enters & ~clearing, arrived_splat}),
+        .clk(clk), .write(word_is_cleared | (copy_enters | forgets)),
+        .write_address(word_is_cleared ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
+        .write_data({copy_enters & ~word_is_cleared, arrived_splat}),
         .read(1'd1),
         .read_address(look_is_read_both ? {surface, in_queue_out_tile} : stored_masks_address_bits),
         .read_data(last_copy)
@@ -5585,6 +5589,7 @@ module splat_tile_cache (
         if (rst) begin
             head_valid <= 1'd0;
             clearing <= 1'd1;
+            clearing_second <= 1'd1;
             cleared <= 13'd0;
             surface <= 1'd0;
             looking <= 1'd0;
@@ -5654,7 +5659,7 @@ module splat_tile_cache (
             forgets <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~(send | switches) : in_queue_out_valid;
-            clearing <= clearing & ~(&cleared);
+            clearing <= clearing & ~cleared_plus_1[12];
             surface <= surface ^ switches;
             looking <= job_starts;
             unchanged <= still_unchanged | {2{looking}};
@@ -5688,7 +5693,8 @@ module splat_tile_cache (
             looked_up <= look_is_read_both & ~in_queue_out_end;
             compared <= looked_up;
             forgets <= last_reached | forgets_both;
-            if (clearing) cleared <= cleared + 13'd1;
+            if (word_is_cleared & &cleared) clearing_second <= 1'd0;
+            if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
                 wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
@@ -7577,21 +7583,23 @@ module splat_splitter (
     wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
     wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
     wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
-    wire [11:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] first_sum_next_choice = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] first_sum_next = open ? first_sum_row_begins_difference : first_sum_next_choice;
     wire [11:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
     wire [11:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 12'd8;
-    wire [11:0] last_sum_next = take ? last_sum_row_begins_difference : wraps ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_sum_next_choice = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_sum_next = open ? last_sum_row_begins_difference : last_sum_next_choice;
     wire [3:0] last_sum_choice = (|last_sum_next[10:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
     wire [11:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
     wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
     wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
-    wire [11:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
-    wire [11:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
+    wire [11:0] first_difference_next_choice = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] first_difference_next = open ? first_difference_row_begins_difference : first_difference_next_choice;
     wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
     wire [11:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
     wire [11:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 12'd8;
-    wire [11:0] last_difference_next_choice = wraps ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
-    wire [11:0] last_difference_next = take ? last_difference_row_begins_difference : last_difference_next_choice;
+    wire [11:0] last_difference_next_choice = right_most ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
+    wire [11:0] last_difference_next = open ? last_difference_row_begins_difference : last_difference_next_choice;
     wire [3:0] last_difference_choice = (|last_difference_next[10:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
 
     assign in_ready = ready;
@@ -7626,7 +7634,9 @@ module splat_splitter (
             open <= 1'd1;
         end else begin
             busy <= take | (busy & ~(step & open));
-            if (moves) open <= take ? (in_end | (one_column & one_row)) : open_either;
+            if (moves) begin
+                open <= (open & in_valid) ? (in_end | (one_column & one_row)) : open_either;
+            end
         end
     end
     always @(posedge clk) begin
@@ -7668,10 +7678,10 @@ module splat_splitter (
             splat_bottom <= in_bottom;
         end
         if (moves) begin
-            right_most <= take ? one_column : reaches_right;
-            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
-            left <= take ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
-            right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
+            right_most <= open ? one_column : reaches_right;
+            column <= open ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
+            left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
+            right <= open ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
             first_sum_here <= first_sum_next;
             first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
             last_sum_here <= last_sum_next;
@@ -7682,14 +7692,14 @@ module splat_splitter (
             last_difference <= {last_difference_next[11], {4{last_difference_next[11]}} | last_difference_choice};
         end
         if (take_or_wraps) begin
-            bottom_most <= take ? one_row : reaches_bottom;
-            row <= take ? in_top[8:3] : row_plus_1;
-            top <= take ? in_top[2:0] : 3'd0;
-            bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
-            first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            last_sum_row_begins <= take ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
-            first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            last_difference_row_begins <= take ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
+            bottom_most <= open ? one_row : reaches_bottom;
+            row <= open ? in_top[8:3] : row_plus_1;
+            top <= open ? in_top[2:0] : 3'd0;
+            bottom <= open ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
+            first_sum_row_begins <= open ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
+            last_sum_row_begins <= open ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
+            first_difference_row_begins <= open ? first_difference_row_begins_difference : first_difference_row_begins_sum;
+            last_difference_row_begins <= open ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
         end
         first <= take | (first & ~push);
     end
@@ -7723,7 +7733,7 @@ module stream_half_buffer_w691 (
 endmodule
 
 // Footprint, depth band and bounding octagon of a splat.
-// latency = 190
+// latency = 186
 // initiation_interval = 2
 module splat_setup (
     input  wire clk, input wire rst,
@@ -7805,250 +7815,235 @@ module splat_setup (
     output wire [9:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [32:0] delay_5_from_0 [0:3];
+    reg [63:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [34:0] delay_7_from_0 [0:5];
+    reg [1:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [53:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
-    reg [10:0] delay_9_from_0 [0:7];
+    reg [85:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [105:0] delay_11_from_0 [0:9];
+    reg [100:0] delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg [106:0] delay_11_from_0_copy2 [0:9];
+    reg [8:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg [106:0] delay_11_from_0_copy3 [0:9];
+    reg [18:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
-    reg [52:0] delay_12_from_0 [0:10];
+    reg [96:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_13_from_0 [0:11];
-    (* ram_style = "distributed" *)
-    reg [63:0] delay_15_from_0 [0:13];
-    (* ram_style = "distributed" *)
-    reg delay_16_from_0 [0:14];
-    (* ram_style = "distributed" *)
-    reg [96:0] delay_17_from_0 [0:15];
-    (* ram_style = "distributed" *)
-    reg [95:0] delay_17_from_0_copy2 [0:15];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_17_from_0_copy3 [0:15];
+    reg [23:0] delay_18_from_0 [0:16];
     (* ram_style = "distributed" *)
     reg [63:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_23_from_0 [0:21];
+    reg [63:0] delay_22_from_0 [0:20];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_24_from_0 [0:22];
+    reg [63:0] delay_23_from_0 [0:21];
     (* ram_style = "distributed" *)
-    reg [10:0] delay_25_from_0 [0:23];
+    reg [23:0] delay_28_from_0 [0:26];
     (* ram_style = "distributed" *)
-    reg [87:0] delay_28_from_0 [0:26];
+    reg [31:0] delay_29_from_0 [0:27];
     (* ram_style = "distributed" *)
-    reg delay_30_from_0 [0:28];
+    reg [1:0] delay_32_from_0 [0:30];
     (* ram_style = "distributed" *)
-    reg [32:0] delay_31_from_0 [0:29];
+    reg delay_36_from_0 [0:34];
     (* ram_style = "distributed" *)
-    reg delay_35_from_0 [0:33];
+    reg [63:0] delay_39_from_0 [0:37];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_37_from_0 [0:35];
+    reg [61:0] delay_43_from_0 [0:41];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_40_from_0 [0:38];
+    reg [96:0] delay_50_from_0 [0:48];
     (* ram_style = "distributed" *)
-    reg [2:0] delay_51_from_0 [0:49];
+    reg [95:0] delay_51_from_0 [0:49];
     (* ram_style = "distributed" *)
-    reg [64:0] delay_52_from_0 [0:50];
+    reg [31:0] delay_51_from_0_copy2 [0:49];
     (* ram_style = "distributed" *)
-    reg [2:0] delay_55_from_0 [0:53];
+    reg delay_53_from_0 [0:51];
     (* ram_style = "distributed" *)
-    reg delay_57_from_0 [0:55];
+    reg delay_56_from_0 [0:54];
     (* ram_style = "distributed" *)
-    reg delay_64_from_0 [0:62];
+    reg delay_63_from_0 [0:61];
     (* ram_style = "distributed" *)
-    reg [32:0] delay_7_from_1 [0:5];
+    reg [63:0] delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
-    reg [42:0] delay_8_from_1 [0:6];
+    reg delay_6_from_1 [0:4];
+    (* ram_style = "distributed" *)
+    reg [32:0] delay_8_from_1 [0:6];
     (* ram_style = "distributed" *)
     reg [43:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [107:0] delay_10_from_1 [0:8];
+    reg [3:0] delay_10_from_1 [0:8];
     (* ram_style = "distributed" *)
-    reg [100:0] delay_10_from_1_copy2 [0:8];
+    reg [107:0] delay_11_from_1 [0:9];
     (* ram_style = "distributed" *)
-    reg [54:0] delay_10_from_1_copy3 [0:8];
+    reg [106:0] delay_11_from_1_copy2 [0:9];
     (* ram_style = "distributed" *)
-    reg delay_11_from_1 [0:9];
+    reg [43:0] delay_12_from_1 [0:10];
     (* ram_style = "distributed" *)
-    reg [8:0] delay_12_from_1 [0:10];
+    reg [63:0] delay_13_from_1 [0:11];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_14_from_1 [0:12];
+    reg [95:0] delay_14_from_1 [0:12];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_17_from_1 [0:15];
+    reg [31:0] delay_14_from_1_copy2 [0:12];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_26_from_1 [0:24];
+    reg [96:0] delay_16_from_1 [0:14];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_31_from_1 [0:29];
+    reg [96:0] delay_17_from_1 [0:15];
     (* ram_style = "distributed" *)
-    reg delay_32_from_1 [0:30];
+    reg [23:0] delay_18_from_1 [0:16];
     (* ram_style = "distributed" *)
-    reg delay_37_from_1 [0:35];
+    reg [10:0] delay_24_from_1 [0:22];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_41_from_1 [0:39];
+    reg [31:0] delay_25_from_1 [0:23];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_27_from_1 [0:25];
+    (* ram_style = "distributed" *)
+    reg [32:0] delay_30_from_1 [0:28];
+    (* ram_style = "distributed" *)
+    reg delay_36_from_1 [0:34];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_37_from_1 [0:35];
     (* ram_style = "distributed" *)
     reg [63:0] delay_43_from_1 [0:41];
     (* ram_style = "distributed" *)
-    reg [61:0] delay_45_from_1 [0:43];
+    reg [4:0] delay_50_from_1 [0:48];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_51_from_1 [0:49];
+    reg [1:0] delay_54_from_1 [0:52];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_52_from_1 [0:50];
-    (* ram_style = "distributed" *)
-    reg [95:0] delay_53_from_1 [0:51];
-    (* ram_style = "distributed" *)
-    reg [31:0] delay_53_from_1_copy2 [0:51];
+    reg [26:0] delay_60_from_1 [0:58];
     (* ram_style = "distributed" *)
     reg [26:0] delay_61_from_1 [0:59];
-    (* ram_style = "distributed" *)
-    reg [26:0] delay_62_from_1 [0:60];
     reg [7:0] credits;
-    reg [1:0] phases_1, delay_5_from_0_pointer;
-    reg [32:0] delay_5_from_0_out;
+    reg [1:0] phases_1;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [63:0] delay_6_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
-    reg [34:0] delay_7_from_0_out;
-    reg [1:0] phases_2;
+    reg [1:0] delay_7_from_0_out, phases_2;
     reg [2:0] delay_8_from_0_pointer;
     reg [53:0] delay_8_from_0_out;
-    reg [2:0] delay_9_from_0_pointer;
-    reg [10:0] delay_9_from_0_out;
     reg [1:0] phases_3;
-    reg [3:0] delay_11_from_0_pointer;
-    reg [105:0] delay_11_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [85:0] delay_9_from_0_out;
     reg [1:0] phases_4;
-    reg [3:0] delay_11_from_0_copy2_pointer;
-    reg [106:0] delay_11_from_0_copy2_out;
-    reg [1:0] phases_5;
-    reg [3:0] delay_11_from_0_copy3_pointer;
-    reg [106:0] delay_11_from_0_copy3_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [100:0] delay_10_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [8:0] delay_11_from_0_out;
     reg [3:0] delay_12_from_0_pointer;
-    reg [52:0] delay_12_from_0_out;
-    reg [3:0] delay_13_from_0_pointer;
-    reg [31:0] delay_13_from_0_out;
+    reg [18:0] delay_12_from_0_out;
+    reg [1:0] phases_5;
+    reg [3:0] delay_14_from_0_pointer;
+    reg [96:0] delay_14_from_0_out;
+    reg [4:0] delay_18_from_0_pointer;
+    reg [23:0] delay_18_from_0_out;
     reg [1:0] phases_6;
-    reg [3:0] delay_15_from_0_pointer;
-    reg [63:0] delay_15_from_0_out;
-    reg [3:0] delay_16_from_0_pointer;
-    reg delay_16_from_0_out;
-    reg [1:0] phases_7;
-    reg [3:0] delay_17_from_0_pointer;
-    reg [96:0] delay_17_from_0_out;
-    reg [1:0] phases_8;
-    reg [3:0] delay_17_from_0_copy2_pointer;
-    reg [95:0] delay_17_from_0_copy2_out;
-    reg [3:0] delay_17_from_0_copy3_pointer;
-    reg [23:0] delay_17_from_0_copy3_out;
-    reg [1:0] phases_9;
     reg [4:0] delay_20_from_0_pointer;
     reg [63:0] delay_20_from_0_out;
-    reg [1:0] phases_10;
+    reg [1:0] phases_7;
+    reg [4:0] delay_22_from_0_pointer;
+    reg [63:0] delay_22_from_0_out;
+    reg [1:0] phases_8;
     reg [4:0] delay_23_from_0_pointer;
-    reg [95:0] delay_23_from_0_out;
-    reg [4:0] delay_24_from_0_pointer;
-    reg [31:0] delay_24_from_0_out;
-    reg [4:0] delay_25_from_0_pointer;
-    reg [10:0] delay_25_from_0_out;
-    reg [1:0] phases_11;
+    reg [63:0] delay_23_from_0_out;
     reg [4:0] delay_28_from_0_pointer;
-    reg [87:0] delay_28_from_0_out;
-    reg [4:0] delay_30_from_0_pointer;
-    reg delay_30_from_0_out;
+    reg [23:0] delay_28_from_0_out;
+    reg [4:0] delay_29_from_0_pointer;
+    reg [31:0] delay_29_from_0_out;
+    reg [4:0] delay_32_from_0_pointer;
+    reg [1:0] delay_32_from_0_out;
+    reg [5:0] delay_36_from_0_pointer;
+    reg delay_36_from_0_out;
+    reg [1:0] phases_9;
+    reg [5:0] delay_39_from_0_pointer;
+    reg [63:0] delay_39_from_0_out;
+    reg [1:0] phases_10;
+    reg [5:0] delay_43_from_0_pointer;
+    reg [61:0] delay_43_from_0_out;
+    reg [1:0] phases_11;
+    reg [5:0] delay_50_from_0_pointer;
+    reg [96:0] delay_50_from_0_out;
     reg [1:0] phases_12;
-    reg [4:0] delay_31_from_0_pointer;
-    reg [32:0] delay_31_from_0_out;
-    reg [5:0] delay_35_from_0_pointer;
-    reg delay_35_from_0_out;
-    reg [5:0] delay_37_from_0_pointer;
-    reg [1:0] delay_37_from_0_out;
-    reg [5:0] delay_40_from_0_pointer;
-    reg [31:0] delay_40_from_0_out;
     reg [5:0] delay_51_from_0_pointer;
-    reg [2:0] delay_51_from_0_out;
+    reg [95:0] delay_51_from_0_out;
+    reg [5:0] delay_51_from_0_copy2_pointer;
+    reg [31:0] delay_51_from_0_copy2_out;
+    reg [5:0] delay_53_from_0_pointer;
+    reg delay_53_from_0_out;
+    reg [5:0] delay_56_from_0_pointer;
+    reg delay_56_from_0_out;
+    reg [5:0] delay_63_from_0_pointer;
+    reg delay_63_from_0_out;
     reg [1:0] phases_13;
-    reg [5:0] delay_52_from_0_pointer;
-    reg [64:0] delay_52_from_0_out;
-    reg [5:0] delay_55_from_0_pointer;
-    reg [2:0] delay_55_from_0_out;
-    reg [5:0] delay_57_from_0_pointer;
-    reg delay_57_from_0_out;
-    reg [5:0] delay_64_from_0_pointer;
-    reg delay_64_from_0_out;
+    reg [6:0] delay_93_from_0_pointer;
+    wire [96:0] delay_93_from_0_out;
     reg [1:0] phases_14;
-    reg [6:0] delay_95_from_0_pointer;
-    wire [96:0] delay_95_from_0_out;
-    reg [1:0] phases_15;
-    reg [6:0] delay_95_from_0_copy2_pointer;
-    wire [95:0] delay_95_from_0_copy2_out;
-    reg [6:0] delay_95_from_0_copy3_pointer;
-    wire [31:0] delay_95_from_0_copy3_out;
-    reg [2:0] delay_7_from_1_pointer;
-    reg [32:0] delay_7_from_1_out;
+    reg [6:0] delay_93_from_0_copy2_pointer;
+    wire [95:0] delay_93_from_0_copy2_out;
+    reg [6:0] delay_93_from_0_copy3_pointer;
+    wire [31:0] delay_93_from_0_copy3_out;
+    reg [1:0] delay_5_from_1_pointer;
+    reg [63:0] delay_5_from_1_out;
+    reg [2:0] delay_6_from_1_pointer;
+    reg delay_6_from_1_out;
     reg [2:0] delay_8_from_1_pointer;
-    reg [42:0] delay_8_from_1_out;
+    reg [32:0] delay_8_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
     reg [43:0] delay_9_from_1_out;
-    reg [3:0] delay_10_from_1_pointer;
-    reg [107:0] delay_10_from_1_out;
-    reg [3:0] delay_10_from_1_copy2_pointer;
-    reg [100:0] delay_10_from_1_copy2_out;
-    reg [3:0] delay_10_from_1_copy3_pointer;
-    reg [54:0] delay_10_from_1_copy3_out;
-    reg [3:0] delay_11_from_1_pointer;
-    reg delay_11_from_1_out;
+    reg [3:0] delay_10_from_1_pointer, delay_10_from_1_out, delay_11_from_1_pointer;
+    reg [107:0] delay_11_from_1_out;
+    reg [3:0] delay_11_from_1_copy2_pointer;
+    reg [106:0] delay_11_from_1_copy2_out;
     reg [3:0] delay_12_from_1_pointer;
-    reg [8:0] delay_12_from_1_out;
+    reg [43:0] delay_12_from_1_out;
+    reg [3:0] delay_13_from_1_pointer;
+    reg [63:0] delay_13_from_1_out;
     reg [3:0] delay_14_from_1_pointer;
-    reg [1:0] delay_14_from_1_out;
+    reg [95:0] delay_14_from_1_out;
+    reg [3:0] delay_14_from_1_copy2_pointer;
+    reg [31:0] delay_14_from_1_copy2_out;
+    reg [3:0] delay_16_from_1_pointer;
+    reg [96:0] delay_16_from_1_out;
     reg [3:0] delay_17_from_1_pointer;
-    reg [23:0] delay_17_from_1_out;
-    reg [4:0] delay_26_from_1_pointer;
-    reg [31:0] delay_26_from_1_out;
-    reg [4:0] delay_31_from_1_pointer;
-    reg [31:0] delay_31_from_1_out;
-    reg [4:0] delay_32_from_1_pointer;
-    reg delay_32_from_1_out;
+    reg [96:0] delay_17_from_1_out;
+    reg [4:0] delay_18_from_1_pointer;
+    reg [23:0] delay_18_from_1_out;
+    reg [4:0] delay_24_from_1_pointer;
+    reg [10:0] delay_24_from_1_out;
+    reg [4:0] delay_25_from_1_pointer;
+    reg [31:0] delay_25_from_1_out;
+    reg [4:0] delay_27_from_1_pointer;
+    reg [63:0] delay_27_from_1_out;
+    reg [4:0] delay_30_from_1_pointer;
+    reg [32:0] delay_30_from_1_out;
+    reg [5:0] delay_36_from_1_pointer;
+    reg delay_36_from_1_out;
     reg [5:0] delay_37_from_1_pointer;
-    reg delay_37_from_1_out;
-    reg [5:0] delay_41_from_1_pointer;
-    reg [31:0] delay_41_from_1_out;
+    reg [1:0] delay_37_from_1_out;
     reg [5:0] delay_43_from_1_pointer;
     reg [63:0] delay_43_from_1_out;
-    reg [5:0] delay_45_from_1_pointer;
-    reg [61:0] delay_45_from_1_out;
-    reg [5:0] delay_51_from_1_pointer;
-    reg [1:0] delay_51_from_1_out;
-    reg [5:0] delay_52_from_1_pointer;
-    reg [31:0] delay_52_from_1_out;
-    reg [5:0] delay_53_from_1_pointer;
-    reg [95:0] delay_53_from_1_out;
-    reg [5:0] delay_53_from_1_copy2_pointer;
-    reg [31:0] delay_53_from_1_copy2_out;
+    reg [5:0] delay_50_from_1_pointer;
+    reg [4:0] delay_50_from_1_out;
+    reg [5:0] delay_54_from_1_pointer;
+    reg [1:0] delay_54_from_1_out;
+    reg [5:0] delay_60_from_1_pointer;
+    reg [26:0] delay_60_from_1_out;
     reg [5:0] delay_61_from_1_pointer;
     reg [26:0] delay_61_from_1_out;
-    reg [5:0] delay_62_from_1_pointer;
-    reg [26:0] delay_62_from_1_out;
-    reg [6:0] delay_86_from_1_pointer;
-    wire delay_86_from_1_out;
-    reg [31:0] center_x_d1, center_x_d2;
+    reg [6:0] delay_85_from_1_pointer;
+    wire delay_85_from_1_out;
+    reg [31:0] center_x_d1, center_x_d2, center_x_d3;
+    reg [1:0] phases_15;
+    reg [31:0] center_y_d1, center_y_d2, center_y_d3, center_z_d1;
     reg [1:0] phases_16;
-    reg [31:0] center_x_d3, center_y_d1, center_y_d2, center_y_d3;
+    reg [31:0] center_z_d2, center_z_d3, center_z_d4, tangent1_x_d1;
     reg [1:0] phases_17;
-    reg [31:0] center_z_d1, center_z_d2, center_z_d3, tangent1_x_d1;
-    reg [1:0] phases_18;
     reg [31:0] tangent1_x_d2, tangent1_x_d3, tangent1_y_d1, tangent1_y_d2;
-    reg [1:0] phases_19;
+    reg [1:0] phases_18;
     reg [31:0] tangent1_y_d3, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3;
-    reg [1:0] phases_20;
+    reg [1:0] phases_19;
     reg [31:0] tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, tangent2_y_d1;
-    reg [1:0] phases_21;
+    reg [1:0] phases_20;
     reg [31:0] tangent2_y_d2, tangent2_y_d3, tangent2_z_d1, tangent2_z_d2;
-    reg [1:0] phases_22;
+    reg [1:0] phases_21;
     reg [31:0] tangent2_z_d3;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
@@ -8070,7 +8065,7 @@ module splat_setup (
     reg [31:0] reaches_near_joined_d1;
     reg swapped_d1, swapped_d2;
     reg [10:0] turned_greater_d1, center_z_bits_plus_10_d1;
-    reg turned_in_order_d1, turned_either_d1, turned_either_d2;
+    reg turned_either_d1, turned_either_d2, turned_d1, turned_d2, turned_d3, turned_d4, turned_d5;
     reg [7:0] lowered_chosen_bits_d1;
     reg [10:0] lowered_chosen_bits_d1_copy2, lowered_chosen_bits_d2, lowered_chosen_bits_d3;
     reg [7:0] lowered_chosen_bits_d1_copy3;
@@ -8089,7 +8084,7 @@ module splat_setup (
     reg [10:0] lowered_chosen_bits_d1_copy12, lowered_chosen_bits_d2_copy6, lowered_chosen_bits_d3_copy6;
     reg [10:0] lowered_greater_d1_copy5;
     reg [7:0] lowered_chosen_bits_d1_copy13;
-    reg [10:0] lowered_chosen_bits_plus_60_d1, lowered_chosen_bits_plus_60_d2, lowered_d1, lowered_d27;
+    reg [10:0] lowered_chosen_bits_plus_60_d1, lowered_chosen_bits_plus_60_d2, lowered_d1, lowered_d26, lowered_d27;
     reg a_x_inverted_d1, a_x_inverted_d2, a_x_inverted_d3, a_x_in_order_and_a_x_inverted_d1;
     reg lowered_chosen_bits_is_255_d1;
     reg [22:0] lowered_chosen_bits_d1_copy14, lowered_chosen_bits_d2_copy7, lowered_chosen_bits_d3_copy7;
@@ -8098,15 +8093,13 @@ module splat_setup (
     reg lowered_chosen_sign_d1, lowered_chosen_sign_d2, lowered_chosen_sign_d3, lowered_chosen_sign_d4;
     reg a_y_inverted_d1, a_y_inverted_d2, a_y_inverted_d3, a_y_in_order_and_a_y_inverted_d1;
     reg lowered_chosen_bits_is_255_d1_copy2;
-    reg [22:0] lowered_chosen_bits_d1_copy15, lowered_chosen_bits_d2_copy8;
-    reg [1:0] phases_23;
-    reg [22:0] lowered_chosen_bits_d3_copy8, lowered_chosen_bits_d4_copy2;
+    reg [22:0] lowered_chosen_bits_d1_copy15, lowered_chosen_bits_d2_copy8, lowered_chosen_bits_d3_copy8;
+    reg [22:0] lowered_chosen_bits_d4_copy2;
     reg [7:0] a_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy2, lowered_chosen_sign_d2_copy2, lowered_chosen_sign_d3_copy2;
     reg lowered_chosen_sign_d4_copy2, alpha_inverted_d1, alpha_inverted_d2, alpha_inverted_d3, alpha_both_d1;
     reg lowered_chosen_bits_is_255_d1_copy3;
     reg [22:0] lowered_chosen_bits_d1_copy16, lowered_chosen_bits_d2_copy9, lowered_chosen_bits_d3_copy9;
-    reg [1:0] phases_24;
     reg [22:0] lowered_chosen_bits_d4_copy3;
     reg [7:0] alpha_chosen_d1;
     reg lowered_chosen_sign_d1_copy3, lowered_chosen_sign_d2_copy3, lowered_chosen_sign_d3_copy3;
@@ -8118,50 +8111,37 @@ module splat_setup (
     reg lowered_chosen_sign_d1_copy4, lowered_chosen_sign_d2_copy4, lowered_chosen_sign_d3_copy4;
     reg lowered_chosen_sign_d4_copy4, b_y_inverted_d1, b_y_inverted_d2, b_y_inverted_d3;
     reg b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
-    reg [1:0] phases_25;
     reg [22:0] lowered_chosen_bits_d1_copy18, lowered_chosen_bits_d2_copy11, lowered_chosen_bits_d3_copy11;
     reg [22:0] lowered_chosen_bits_d4_copy5;
     reg [7:0] b_y_chosen_d1;
     reg lowered_chosen_sign_d1_copy5, lowered_chosen_sign_d2_copy5, lowered_chosen_sign_d3_copy5;
     reg lowered_chosen_sign_d4_copy5, beta_inverted_d1, beta_inverted_d2, beta_inverted_d3, beta_both_d1;
     reg lowered_chosen_bits_is_255_d1_copy6;
-    reg [22:0] lowered_chosen_bits_d1_copy19;
-    reg [1:0] phases_26;
-    reg [22:0] lowered_chosen_bits_d2_copy12, lowered_chosen_bits_d3_copy12, lowered_chosen_bits_d4_copy6;
+    reg [22:0] lowered_chosen_bits_d1_copy19, lowered_chosen_bits_d2_copy12, lowered_chosen_bits_d3_copy12;
+    reg [22:0] lowered_chosen_bits_d4_copy6;
     reg [7:0] beta_chosen_d1;
     reg lowered_chosen_sign_d1_copy6, lowered_chosen_sign_d2_copy6, lowered_chosen_sign_d3_copy6;
     reg lowered_chosen_sign_d4_copy6, not_turned_d1, beyond_near_and_not_turned_d15;
-    reg beyond_near_and_not_turned_d16, beyond_near_and_not_turned_d17, beyond_near_and_not_turned_d18;
-    reg [31:0] reaches_near_sum_d1_copy2, alpha_d12;
-    reg [1:0] phases_27;
-    reg [31:0] alpha_d13, beta_d12, beta_d13, e_d1, e_d2;
-    reg whole_d1;
-    reg [31:0] spread_middle_d1, spread_middle_d2, spread_middle_d3, spread_middle_d4, spread_middle_d5;
-    reg [31:0] spread_half_d1;
-    reg [1:0] phases_28;
-    reg [31:0] spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1, before_far_joined_d1;
-    reg [31:0] a_x_joined_times_r_d1;
-    reg [1:0] phases_29;
-    reg [31:0] a_x_joined_times_r_d2, a_x_joined_times_r_d3, a_x_joined_times_r_d4, b_x_joined_times_r_d1;
-    reg [1:0] phases_30;
-    reg [31:0] b_x_joined_times_r_d2, b_x_joined_times_r_d3, b_x_joined_times_r_d4, h_x_product_d1, h_x_product_d2;
-    reg [31:0] h_x_product_d3, h_x_product_d4, center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2;
-    reg [31:0] center_x_plus_first_x_joined_d1, center_x_plus_first_x_joined_d2;
-    reg first_x_in_order_d1_copy3;
+    reg beyond_near_and_not_turned_d16, beyond_near_and_not_turned_d17;
+    reg [1:0] phases_22;
+    reg [31:0] r_d1, r_d2, r_d3, r_d4, alpha_d12, beta_d12, e_d1;
+    reg zero_is_lowered_d1, whole_d43;
+    reg [31:0] f_chosen_d1, f_d1, f_d2, f_d3, f_d4, spread_half_d1, spread_half_d2, spread_half_d3;
+    reg [1:0] phases_23;
+    reg [31:0] one_minus_depth_a_d1, before_far_sum_d1, before_far_joined_d1;
+    reg sight_disc_out_d51;
+    reg [31:0] middle_depth_d1, a_x_d1, b_x_d1, center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1;
     reg [31:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, last_x_chosen_d1, last_x_chosen_d2;
-    reg [21:0] first_x_shifted_d1, first_x_shifted_d2, first_x_shifted_d3, last_x_shifted_d1, last_x_lesser_d1;
-    reg [1:0] phases_31;
-    reg [31:0] a_y_joined_times_r_d1, a_y_joined_times_r_d2, a_y_joined_times_r_d3, a_y_joined_times_r_d4;
-    reg [1:0] phases_32;
-    reg [31:0] b_y_joined_times_r_d1, b_y_joined_times_r_d2, b_y_joined_times_r_d3, b_y_joined_times_r_d4;
-    reg [1:0] phases_33;
-    reg [31:0] center_y_d1_copy2, h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4;
-    reg [31:0] center_y_minus_first_y_joined_d1, center_y_minus_first_y_joined_d2, center_y_plus_first_y_joined_d1;
-    reg [31:0] center_y_plus_first_y_joined_d2, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2;
-    reg [31:0] last_y_chosen_d1, last_y_chosen_d2, first_y_chosen_d1_copy2;
-    reg [21:0] first_y_shifted_d1;
-    reg [1:0] phases_34;
-    reg [21:0] first_y_shifted_d2, first_y_shifted_d3;
+    reg [21:0] first_x_shifted_d1, first_x_shifted_d2;
+    reg [1:0] phases_24;
+    reg [21:0] first_x_shifted_d3, last_x_shifted_d1, last_x_lesser_d1;
+    reg [31:0] a_y_d1, b_y_d1, center_y_d1_copy2, center_y_d44, minus_h_y_d1;
+    reg [1:0] phases_25;
+    reg [31:0] center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1, first_y_joined_d1_copy2;
+    reg [31:0] first_y_chosen_d1, first_y_chosen_d2, last_y_chosen_d1;
+    reg [1:0] phases_26;
+    reg [31:0] last_y_chosen_d2;
+    reg [21:0] first_y_shifted_d1, first_y_shifted_d2, first_y_shifted_d3;
     reg [31:0] last_y_greater_d1;
     reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [10:0] a_x_bits_d1, a_x_bits_d11, a_y_bits_d1, a_y_bits_d11, a_exponent_d1, b_x_bits_d1, b_x_bits_d11;
@@ -8170,41 +8150,45 @@ module splat_setup (
     reg [22:0] a_x_bits_d1_copy2;
     reg [7:0] unit_delta_chosen_d1;
     reg a_x_sign_d1;
-    reg [31:0] unit_delta_joined_d1, unit_delta_joined_d2;
     reg [10:0] a_y_bits_plus_127_d1;
     reg not_zero_is_a_y_bits_d1, unit_delta_both_d1_copy2, a_y_bits_is_255_d1;
     reg [22:0] a_y_bits_d1_copy2;
     reg [7:0] unit_delta_chosen_d1_copy2;
     reg a_y_sign_d1;
-    reg [31:0] unit_delta_joined_d1_copy2;
+    reg [1:0] phases_27;
+    reg [31:0] unit_delta_joined_d1, unit_delta_joined_d2;
     reg [10:0] b_x_bits_plus_127_d1;
     reg not_zero_is_b_x_bits_d1, unit_delta_both_d1_copy3, b_x_bits_is_255_d1;
     reg [22:0] b_x_bits_d1_copy2;
     reg [7:0] unit_delta_chosen_d1_copy3;
     reg b_x_sign_d1;
-    reg [31:0] unit_delta_joined_d1_copy3, unit_delta_joined_d2_copy2;
+    reg [31:0] unit_delta_joined_d1_copy2;
+    reg [1:0] phases_28;
+    reg [31:0] unit_delta_joined_d2_copy2;
     reg [10:0] b_y_bits_plus_127_d1;
     reg not_zero_is_b_y_bits_d1, unit_delta_both_d1_copy4, b_y_bits_is_255_d1;
     reg [22:0] b_y_bits_d1_copy2;
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1;
-    reg [31:0] unit_delta_joined_d1_copy4, unit_delta_joined_d2_copy3;
-    reg [10:0] beta_bits_d12, a_exponent_plus_beta_bits_d1;
-    reg [1:0] phases_35;
-    reg [10:0] alpha_bits_d12, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
+    reg [31:0] unit_delta_product_d1;
+    reg [10:0] beta_bits_d12, a_exponent_plus_beta_bits_d1, alpha_bits_d12, b_exponent_plus_alpha_bits_d1;
+    reg [10:0] m_exponent_d1, mx_sum_d1;
     reg mx_both_d1, beta_bits_is_255_d1;
     reg [7:0] mx_chosen_d1;
     reg [31:0] mx_joined_d1;
     reg [10:0] mx_sum_d1_copy2;
     reg mx_both_d1_copy2, alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [31:0] mx_joined_d1_copy2, mx_product_d1;
-    reg [10:0] largest_sum_d9, unit_delta_bits_d1, unit_delta_bits_d2, unit_delta_bits_d3, largest_greater_d1;
+    reg [1:0] phases_29;
+    reg [31:0] mx_joined_d1_copy2, minus_unit_delta_joined_d1, minus_unit_delta_joined_d2;
+    reg [31:0] minus_unit_delta_joined_d1_copy2;
+    reg [1:0] phases_30;
+    reg [31:0] minus_unit_delta_joined_d2_copy2;
+    reg [10:0] largest_sum_d9, largest_sum_d10, unit_delta_bits_d1, unit_delta_bits_d2, unit_delta_bits_d3;
+    reg [10:0] largest_greater_d1;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
-    reg [10:0] largest_chosen_d1_copy2;
-    reg [1:0] phases_36;
-    reg [10:0] largest_greater_d1_copy3, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_d1, a_x_bits_plus_381_d1;
     reg ax_out_both_d1;
     reg [7:0] ax_out_chosen_d1;
     reg [31:0] ax_out_joined_d1;
@@ -8225,53 +8209,50 @@ module splat_setup (
     reg [7:0] delta_chosen_d1;
     reg unit_delta_sign_d1, unit_delta_sign_d2, unit_delta_sign_d3;
     reg [31:0] delta_d1;
-    reg [10:0] mx_bits_d1, mx_sum_plus_mx_bits_d1;
-    reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
-    reg [1:0] phases_37;
-    reg [22:0] mx_bits_d1_copy2;
+    reg [10:0] mx_sum_bits_d1, mx_sum_bits_d2;
+    reg [1:0] phases_31;
+    reg [10:0] mx_sum_plus_mx_sum_bits_d1;
+    reg not_zero_is_mx_sum_bits_d1, not_zero_is_mx_sum_bits_d2, mx_both_d1_copy3, mx_sum_bits_is_255_d1;
+    reg [22:0] mx_sum_bits_d1_copy2, mx_sum_bits_d2_copy2;
     reg [30:0] mx_joined_d1_copy3;
-    reg mx_bits_d1_copy3, mx_bits_d2;
-    reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
-    reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
-    reg [22:0] my_bits_d1_copy2;
-    reg [1:0] phases_38;
+    reg mx_sum_sign_d1, mx_sum_sign_d2, mx_sum_sign_d3;
+    reg [10:0] my_sum_bits_d1, my_sum_bits_d2, mx_sum_plus_my_sum_bits_d1;
+    reg not_zero_is_my_sum_bits_d1, not_zero_is_my_sum_bits_d2, my_both_d1, my_sum_bits_is_255_d1;
+    reg [1:0] phases_32;
+    reg [22:0] my_sum_bits_d1_copy2, my_sum_bits_d2_copy2;
     reg [30:0] my_joined_d1;
-    reg my_bits_d1_copy3, my_bits_d2;
+    reg my_sum_sign_d1, my_sum_sign_d2, my_sum_sign_d3;
     reg [10:0] edge_on_lesser_d1;
     reg unit_delta_bits_is_zero_d1;
     reg [7:0] unit_delta_product_bits_d1, unit_delta_product_bits_d2, unit_delta_product_bits_d3;
-    reg [7:0] unit_delta_product_bits_d4;
     reg edge_on_in_order_d1, doubtful_in_order_d1;
-    reg [31:0] f_times_first_sum_sum_d1, f_times_first_sum_sum_d2, f_times_first_sum_sum_d3;
-    reg [31:0] f_times_first_sum_sum_d4, first_sum_sum_d1, first_sum_sum_d2;
-    reg [1:0] phases_39;
-    reg [31:0] first_sum_sum_d3, first_sum_sum_d4, first_sum_product_d1, first_sum_sum_d1_copy2;
+    reg [31:0] first_sum_sum_d1, first_sum_sum_d2, first_sum_sum_d3, first_sum_sum_d4, first_sum_sum_d1_copy2;
     reg [31:0] first_sum_sum_d2_copy2;
-    reg [1:0] phases_40;
     reg [26:0] first_sum_sum_d1_copy3;
     reg [31:0] last_sum_sum_d1, last_sum_sum_d2;
     reg [26:0] last_sum_sum_d1_copy2;
-    reg [1:0] phases_41;
+    reg [1:0] phases_33;
     reg [31:0] first_difference_sum_d1, first_difference_sum_d2, first_difference_lesser_d1;
     reg [26:0] first_difference_sum_d1_copy2;
     reg [31:0] last_difference_sum_d1;
-    reg [1:0] phases_42;
+    reg [1:0] phases_34;
     reg [31:0] last_difference_sum_d2, last_difference_chosen_d1;
     reg [26:0] last_difference_sum_d1_copy2;
     reg [21:0] center_x_fixed_d1;
     reg whole_and_first_sum_both_d1, whole_and_first_sum_both_d2;
     reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
     reg [26:0] first_sum_greater_d1, last_sum_lesser_d1;
-    reg [1:0] phases_43;
+    reg [1:0] phases_35;
     reg [26:0] first_difference_difference_d1, first_difference_shifted_d1, first_difference_sum_d1_copy3;
     reg [26:0] last_difference_sum_d1_copy3, last_difference_shifted_d1, last_difference_sum_d1_copy4;
     reg [26:0] first_difference_greater_d1, last_difference_lesser_d1;
     reg first_sum_up_to_last_sum_d1, first_sum_up_to_last_sum_d2, visible_in_order_d1;
     reg [9:0] first_sum_out_d1, first_sum_out_d2, last_sum_out_d1, last_sum_out_d2, first_difference_out_d1;
+    reg [1:0] phases_36;
     reg [9:0] last_difference_out_d1;
-    reg before_far_and_occupied_x_d1, visible_both_d1;
+    reg before_far_and_occupied_x_d1, sight_negative_out_d1, visible_both_d1;
     reg [31:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2, delta_times_one_over_b_depth_d1;
-    reg [1:0] phases_44;
+    reg [1:0] phases_37;
     reg [31:0] middle_depth_minus_epsilon_d1, middle_depth_plus_epsilon_d1, depth_high_out_greater_d1;
     reg max_f32_ftz_unit_phase;
     reg [31:0] max_f32_ftz_unit_a, max_f32_ftz_unit_b;
@@ -8289,14 +8270,6 @@ module splat_setup (
     reg [31:0] max_f32_ftz_unit_copy7_a, max_f32_ftz_unit_copy7_b;
     reg max_f32_ftz_unit_copy8_phase;
     reg [31:0] max_f32_ftz_unit_copy8_a, max_f32_ftz_unit_copy8_b;
-    reg lt_f32_ftz_unit_phase;
-    reg [31:0] lt_f32_ftz_unit_a, lt_f32_ftz_unit_b;
-    reg lt_f32_ftz_unit_copy2_phase;
-    reg [31:0] lt_f32_ftz_unit_copy2_a, lt_f32_ftz_unit_copy2_b;
-    reg lt_f32_ftz_unit_copy3_phase;
-    reg [31:0] lt_f32_ftz_unit_copy3_a, lt_f32_ftz_unit_copy3_b;
-    reg lt_f32_ftz_unit_copy4_phase;
-    reg [31:0] lt_f32_ftz_unit_copy4_a, lt_f32_ftz_unit_copy4_b, lt_f32_ftz_unit_copy5_a;
     reg add_f32_ftz_unit_phase;
     reg [31:0] add_f32_ftz_unit_a, add_f32_ftz_unit_b;
     reg add_f32_ftz_unit_copy2_phase;
@@ -8330,28 +8303,8 @@ module splat_setup (
     reg add_f32_ftz_unit_copy16_phase;
     reg [31:0] add_f32_ftz_unit_copy16_a, add_f32_ftz_unit_copy16_b;
     reg add_f32_ftz_unit_copy17_phase;
-    reg [31:0] add_f32_ftz_unit_copy17_a, add_f32_ftz_unit_copy17_b;
-    reg add_f32_ftz_unit_copy18_phase;
-    reg [31:0] add_f32_ftz_unit_copy18_a, add_f32_ftz_unit_copy18_b;
-    reg add_f32_ftz_unit_copy19_phase;
-    reg [31:0] add_f32_ftz_unit_copy19_a, add_f32_ftz_unit_copy19_b;
-    reg add_f32_ftz_unit_copy20_phase;
-    reg [31:0] add_f32_ftz_unit_copy20_a, add_f32_ftz_unit_copy20_b;
-    reg add_f32_ftz_unit_copy21_phase;
-    reg [31:0] add_f32_ftz_unit_copy21_a, add_f32_ftz_unit_copy21_b;
-    reg add_f32_ftz_unit_copy22_phase;
-    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b;
-    reg add_f32_ftz_unit_copy23_phase;
-    reg [31:0] add_f32_ftz_unit_copy23_a, add_f32_ftz_unit_copy23_b;
-    reg add_f32_ftz_unit_copy24_phase;
-    reg [31:0] add_f32_ftz_unit_copy24_a, add_f32_ftz_unit_copy24_b;
-    reg add_f32_ftz_unit_copy25_phase;
-    reg [31:0] add_f32_ftz_unit_copy25_a, add_f32_ftz_unit_copy25_b;
-    reg add_f32_ftz_unit_copy26_phase;
-    reg [31:0] add_f32_ftz_unit_copy26_a, add_f32_ftz_unit_copy26_b;
-    reg add_f32_ftz_unit_copy27_phase;
-    reg [31:0] add_f32_ftz_unit_copy27_a, add_f32_ftz_unit_copy27_b, add_f32_ftz_unit_copy28_a;
-    reg [31:0] add_f32_ftz_unit_copy28_b;
+    reg [31:0] add_f32_ftz_unit_copy17_a, add_f32_ftz_unit_copy17_b, add_f32_ftz_unit_copy18_a;
+    reg [31:0] add_f32_ftz_unit_copy18_b;
     reg recip_f32_ftz_unit_phase;
     reg [31:0] recip_f32_ftz_unit_a, recip_f32_ftz_unit_copy2_a;
     reg mul_f32_ftz_unit_phase;
@@ -8380,48 +8333,37 @@ module splat_setup (
     reg [31:0] mul_f32_ftz_unit_copy12_a, mul_f32_ftz_unit_copy12_b;
     reg mul_f32_ftz_unit_copy13_phase;
     reg [31:0] mul_f32_ftz_unit_copy13_a, mul_f32_ftz_unit_copy13_b;
-    reg mul_f32_ftz_unit_copy14_phase;
-    reg [31:0] mul_f32_ftz_unit_copy14_a, mul_f32_ftz_unit_copy14_b;
-    reg mul_f32_ftz_unit_copy15_phase;
-    reg [31:0] mul_f32_ftz_unit_copy15_a, mul_f32_ftz_unit_copy15_b;
-    reg mul_f32_ftz_unit_copy16_phase;
-    reg [31:0] mul_f32_ftz_unit_copy16_a, mul_f32_ftz_unit_copy16_b;
-    reg mul_f32_ftz_unit_copy17_phase;
-    reg [31:0] mul_f32_ftz_unit_copy17_a, mul_f32_ftz_unit_copy17_b;
-    reg mul_f32_ftz_unit_copy18_phase;
-    reg [31:0] mul_f32_ftz_unit_copy18_a, mul_f32_ftz_unit_copy18_b;
-    reg mul_f32_ftz_unit_copy19_phase;
-    reg [31:0] mul_f32_ftz_unit_copy19_a, mul_f32_ftz_unit_copy19_b;
-    reg mul_f32_ftz_unit_copy20_phase;
-    reg [31:0] mul_f32_ftz_unit_copy20_a, mul_f32_ftz_unit_copy20_b;
-    reg mul_f32_ftz_unit_copy21_phase;
-    reg [31:0] mul_f32_ftz_unit_copy21_a, mul_f32_ftz_unit_copy21_b;
-    reg mul_f32_ftz_unit_copy22_phase;
-    reg [31:0] mul_f32_ftz_unit_copy22_a, mul_f32_ftz_unit_copy22_b;
-    reg mul_f32_ftz_unit_copy23_phase;
-    reg [31:0] mul_f32_ftz_unit_copy23_a, mul_f32_ftz_unit_copy23_b;
-    reg mul_f32_ftz_unit_copy24_phase;
-    reg [31:0] mul_f32_ftz_unit_copy24_a, mul_f32_ftz_unit_copy24_b;
-    reg mul_f32_ftz_unit_copy25_phase;
-    reg [31:0] mul_f32_ftz_unit_copy25_a, mul_f32_ftz_unit_copy25_b;
-    reg mul_f32_ftz_unit_copy26_phase;
-    reg [31:0] mul_f32_ftz_unit_copy26_a, mul_f32_ftz_unit_copy26_b;
-    reg mul_f32_ftz_unit_copy27_phase;
-    reg [31:0] mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b;
-    reg mul_f32_ftz_unit_copy28_phase;
-    reg [31:0] mul_f32_ftz_unit_copy28_a, mul_f32_ftz_unit_copy28_b;
-    reg mul_f32_ftz_unit_copy29_phase;
-    reg [31:0] mul_f32_ftz_unit_copy29_a, mul_f32_ftz_unit_copy29_b;
-    reg mul_f32_ftz_unit_copy30_phase;
-    reg [31:0] mul_f32_ftz_unit_copy30_a, mul_f32_ftz_unit_copy30_b;
+    reg mul_mul_add_f32_ftz_unit_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_a, mul_mul_add_f32_ftz_unit_b, mul_mul_add_f32_ftz_unit_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_d;
+    reg mul_mul_add_f32_ftz_unit_copy2_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy2_a, mul_mul_add_f32_ftz_unit_copy2_b, mul_mul_add_f32_ftz_unit_copy2_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy2_d;
+    reg mul_mul_add_f32_ftz_unit_copy3_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy3_a, mul_mul_add_f32_ftz_unit_copy3_b, mul_mul_add_f32_ftz_unit_copy3_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy3_d;
+    reg mul_mul_add_f32_ftz_unit_copy4_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy4_a, mul_mul_add_f32_ftz_unit_copy4_b, mul_mul_add_f32_ftz_unit_copy4_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy4_d;
+    reg mul_mul_add_f32_ftz_unit_copy5_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy5_a, mul_mul_add_f32_ftz_unit_copy5_b, mul_mul_add_f32_ftz_unit_copy5_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy5_d;
+    reg mul_mul_add_f32_ftz_unit_copy6_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy6_a, mul_mul_add_f32_ftz_unit_copy6_b, mul_mul_add_f32_ftz_unit_copy6_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy6_d;
+    reg mul_mul_add_f32_ftz_unit_copy7_phase;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy7_a, mul_mul_add_f32_ftz_unit_copy7_b, mul_mul_add_f32_ftz_unit_copy7_c;
+    reg [31:0] mul_mul_add_f32_ftz_unit_copy7_d;
+    reg mul_add_f32_ftz_unit_phase;
+    reg [31:0] mul_add_f32_ftz_unit_a, mul_add_f32_ftz_unit_b, mul_add_f32_ftz_unit_c;
+    reg mul_add_f32_ftz_unit_copy2_phase;
+    reg [31:0] mul_add_f32_ftz_unit_copy2_a, mul_add_f32_ftz_unit_copy2_b, mul_add_f32_ftz_unit_copy2_c;
+    reg mul_add_f32_ftz_unit_copy3_phase;
+    reg [31:0] mul_add_f32_ftz_unit_copy3_a, mul_add_f32_ftz_unit_copy3_b, mul_add_f32_ftz_unit_copy3_c;
     reg sqrt_f32_ftz_unit_phase;
     reg [31:0] sqrt_f32_ftz_unit_a;
     reg sqrt_f32_ftz_unit_copy2_phase;
     reg [31:0] sqrt_f32_ftz_unit_copy2_a, sqrt_f32_ftz_unit_copy3_a;
-    reg le_f32_ftz_unit_phase;
-    reg [31:0] le_f32_ftz_unit_a, le_f32_ftz_unit_b;
-    reg le_f32_ftz_unit_copy2_phase;
-    reg [31:0] le_f32_ftz_unit_copy2_a, le_f32_ftz_unit_copy2_b;
     reg min_f32_ftz_unit_phase;
     reg [31:0] min_f32_ftz_unit_a, min_f32_ftz_unit_b;
     reg min_f32_ftz_unit_copy2_phase;
@@ -8439,36 +8381,32 @@ module splat_setup (
     reg [31:0] to_fixed_f32_ftz_s22q8_unit_a;
     reg to_fixed_f32_ftz_u24q24_unit_phase;
     reg [31:0] to_fixed_f32_ftz_u24q24_unit_a, to_fixed_f32_ftz_u24q24_unit_copy2_a;
-    reg [1:0] phases_45;
-    reg [94:0] in_flight;
+    reg [1:0] phases_38;
+    reg [92:0] in_flight;
     reg left, dropped;
 
     wire [31:0] max_f32_ftz_unit_y, max_f32_ftz_unit_copy2_y, max_f32_ftz_unit_copy3_y, max_f32_ftz_unit_copy4_y;
     wire [31:0] max_f32_ftz_unit_copy5_y, max_f32_ftz_unit_copy6_y, max_f32_ftz_unit_copy7_y;
     wire [31:0] max_f32_ftz_unit_copy8_y;
     wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y, lt_f32_ftz_unit_copy3_y, lt_f32_ftz_unit_copy4_y;
-    wire lt_f32_ftz_unit_copy5_y;
+    wire lt_f32_ftz_unit_copy5_y, lt_f32_ftz_unit_copy6_y, lt_f32_ftz_unit_copy7_y, lt_f32_ftz_unit_copy8_y;
+    wire lt_f32_ftz_unit_copy9_y;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
     wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
     wire [31:0] add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y;
     wire [31:0] add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y;
-    wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y;
-    wire [31:0] add_f32_ftz_unit_copy20_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y;
-    wire [31:0] add_f32_ftz_unit_copy23_y, add_f32_ftz_unit_copy24_y, add_f32_ftz_unit_copy25_y;
-    wire [31:0] add_f32_ftz_unit_copy26_y, add_f32_ftz_unit_copy27_y, add_f32_ftz_unit_copy28_y, recip_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, recip_f32_ftz_unit_y;
     wire [31:0] recip_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
-    wire [31:0] mul_f32_ftz_unit_copy13_y, mul_f32_ftz_unit_copy14_y, mul_f32_ftz_unit_copy15_y;
-    wire [31:0] mul_f32_ftz_unit_copy16_y, mul_f32_ftz_unit_copy17_y, mul_f32_ftz_unit_copy18_y;
-    wire [31:0] mul_f32_ftz_unit_copy19_y, mul_f32_ftz_unit_copy20_y, mul_f32_ftz_unit_copy21_y;
-    wire [31:0] mul_f32_ftz_unit_copy22_y, mul_f32_ftz_unit_copy23_y, mul_f32_ftz_unit_copy24_y;
-    wire [31:0] mul_f32_ftz_unit_copy25_y, mul_f32_ftz_unit_copy26_y, mul_f32_ftz_unit_copy27_y;
-    wire [31:0] mul_f32_ftz_unit_copy28_y, mul_f32_ftz_unit_copy29_y, mul_f32_ftz_unit_copy30_y, sqrt_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy13_y, mul_mul_add_f32_ftz_unit_y, mul_mul_add_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_mul_add_f32_ftz_unit_copy3_y, mul_mul_add_f32_ftz_unit_copy4_y, mul_mul_add_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_mul_add_f32_ftz_unit_copy6_y, mul_mul_add_f32_ftz_unit_copy7_y, mul_add_f32_ftz_unit_y;
+    wire [31:0] mul_add_f32_ftz_unit_copy2_y, mul_add_f32_ftz_unit_copy3_y, sqrt_f32_ftz_unit_y;
     wire [31:0] sqrt_f32_ftz_unit_copy2_y, sqrt_f32_ftz_unit_copy3_y;
-    wire le_f32_ftz_unit_y, le_f32_ftz_unit_copy2_y;
+    wire le_f32_ftz_unit_y, le_f32_ftz_unit_copy2_y, le_f32_ftz_unit_copy3_y, le_f32_ftz_unit_copy4_y;
     wire [31:0] min_f32_ftz_unit_y, min_f32_ftz_unit_copy2_y, min_f32_ftz_unit_copy3_y, min_f32_ftz_unit_copy4_y;
     wire [31:0] min_f32_ftz_unit_copy5_y;
     wire [20:0] to_fixed_f32_ftz_u21q8_unit_y, to_fixed_f32_ftz_u21q8_unit_copy2_y;
@@ -8489,49 +8427,51 @@ module splat_setup (
     wire [123:0] queue_6_out_data;
 
     assign in_ready = ~credits[7] & phases_1[0];
-    wire beyond_near_d7 = delay_7_from_1_out[0];
-    wire reaches_near = beyond_near_d7 | lt_f32_ftz_unit_copy3_y;
-    wire in_flight_94_and_phases_38_0 = in_flight[94] & phases_38[0];
-    wire end_d95 = delay_95_from_0_out[0];
-    wire doubtful_or_visible_unequal_d55 = delay_55_from_0_out[2];
-    wire visible = visible_both_d1 & doubtful_or_visible_unequal_d55;
-    wire end_or_visible = end_d95 | visible;
-    wire kept = in_flight_94_and_phases_38_0 & end_or_visible;
-    wire [31:0] center_x_d67 = delay_23_from_0_out[31:0];
-    wire [31:0] center_y_d67 = delay_23_from_0_out[95:64];
-    wire [31:0] ax_out_d52 = delay_52_from_0_out[32:1];
-    wire [31:0] bx_out_d53 = delay_53_from_1_out[31:0];
-    wire [31:0] ay_out_d52 = delay_52_from_0_out[64:33];
-    wire [31:0] by_out_d53 = delay_53_from_1_out[63:32];
-    wire edge_on_d55 = delay_55_from_0_out[0];
-    wire [31:0] delta_out = edge_on_d55 ? 32'h7fc00000 : delay_52_from_1_out;
-    wire [31:0] mx_d53 = delay_53_from_1_out[95:64];
-    wire sight_negative_out_d55 = delay_55_from_0_out[1];
-    wire [30:0] sight_near_out_product_bits_d45 = delay_45_from_1_out[30:0];
-    wire [30:0] sight_near_out = delay_32_from_1_out ? 31'h7fffffff : sight_near_out_product_bits_d45;
-    wire all_before_far_d31 = delay_31_from_0_out[32];
-    wire [30:0] sight_far_out_product_bits_d45 = delay_45_from_1_out[61:31];
-    wire [30:0] sight_far_out = all_before_far_d31 ? 31'd0 : sight_far_out_product_bits_d45;
-    wire turned_d92 = delay_52_from_0_out[0];
-    wire sight_disc_out_d69 = delay_7_from_0_out[33];
-    wire [23:0] depth_out_d28 = delay_28_from_0_out[87:64];
-    wire [15:0] attribute_0_d95 = delay_95_from_0_out[16:1];
-    wire [15:0] attribute_1_d95 = delay_95_from_0_out[32:17];
-    wire [15:0] attribute_2_d95 = delay_95_from_0_out[48:33];
-    wire [15:0] attribute_3_d95 = delay_95_from_0_out[64:49];
-    wire [15:0] attribute_4_d95 = delay_95_from_0_out[80:65];
-    wire [15:0] attribute_5_d95 = delay_95_from_0_out[96:81];
-    wire [15:0] attribute_6_d95 = delay_95_from_0_copy2_out[15:0];
-    wire [15:0] attribute_7_d95 = delay_95_from_0_copy2_out[31:16];
-    wire [15:0] attribute_8_d95 = delay_95_from_0_copy2_out[47:32];
-    wire [15:0] attribute_9_d95 = delay_95_from_0_copy2_out[63:48];
-    wire [15:0] attribute_10_d95 = delay_95_from_0_copy2_out[79:64];
-    wire [15:0] attribute_11_d95 = delay_95_from_0_copy2_out[95:80];
-    wire [15:0] attribute_12_d95 = delay_95_from_0_copy3_out[15:0];
-    wire [15:0] cardinal_0_d95 = delay_95_from_0_copy3_out[31:16];
-    wire [8:0] first_x_d12 = delay_12_from_0_out[41:33];
-    wire [8:0] last_x_d12 = delay_12_from_0_out[50:42];
-    wire [8:0] first_y_d11 = delay_11_from_0_out[105:97];
+    wire beyond_near_d7 = delay_7_from_0_out[0];
+    wire reaches_near = beyond_near_d7 | lt_f32_ftz_unit_copy4_y;
+    wire [31:0] lt_f32_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[30:0]};
+    wire [31:0] lt_f32_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[30:0]};
+    wire in_flight_92_and_phases_36_0 = in_flight[92] & phases_36[0];
+    wire end_d93 = delay_93_from_0_out[0];
+    wire doubtful_or_visible_unequal_d54 = delay_54_from_1_out[1];
+    wire visible = visible_both_d1 & doubtful_or_visible_unequal_d54;
+    wire end_or_visible = end_d93 | visible;
+    wire kept = in_flight_92_and_phases_36_0 & end_or_visible;
+    wire [31:0] center_x_d66 = delay_23_from_0_out[63:32];
+    wire [31:0] center_y_d66 = delay_22_from_0_out[63:32];
+    wire [31:0] ax_out_d50 = delay_50_from_0_out[64:33];
+    wire [31:0] bx_out_d51 = delay_51_from_0_out[31:0];
+    wire [31:0] ay_out_d50 = delay_50_from_0_out[96:65];
+    wire [31:0] by_out_d51 = delay_51_from_0_out[63:32];
+    wire edge_on_d54 = delay_54_from_1_out[0];
+    wire [31:0] delta_d51 = delay_50_from_0_out[32:1];
+    wire [31:0] delta_out = edge_on_d54 ? 32'h7fc00000 : delta_d51;
+    wire [31:0] mx_d51 = delay_51_from_0_out[95:64];
+    wire beyond_near_d32 = delay_32_from_0_out[0];
+    wire [30:0] sight_near_out_product_bits_d43 = delay_43_from_0_out[30:0];
+    wire [30:0] sight_near_out = beyond_near_d32 ? 31'h7fffffff : sight_near_out_product_bits_d43;
+    wire all_before_far_d32 = delay_32_from_0_out[1];
+    wire [30:0] sight_far_out_product_bits_d43 = delay_43_from_0_out[61:31];
+    wire [30:0] sight_far_out = all_before_far_d32 ? 31'd0 : sight_far_out_product_bits_d43;
+    wire turned_d91 = delay_50_from_1_out[0];
+    wire sight_disc_out_d68 = delay_7_from_0_out[1];
+    wire [15:0] attribute_0_d93 = delay_93_from_0_out[16:1];
+    wire [15:0] attribute_1_d93 = delay_93_from_0_out[32:17];
+    wire [15:0] attribute_2_d93 = delay_93_from_0_out[48:33];
+    wire [15:0] attribute_3_d93 = delay_93_from_0_out[64:49];
+    wire [15:0] attribute_4_d93 = delay_93_from_0_out[80:65];
+    wire [15:0] attribute_5_d93 = delay_93_from_0_out[96:81];
+    wire [15:0] attribute_6_d93 = delay_93_from_0_copy2_out[15:0];
+    wire [15:0] attribute_7_d93 = delay_93_from_0_copy2_out[31:16];
+    wire [15:0] attribute_8_d93 = delay_93_from_0_copy2_out[47:32];
+    wire [15:0] attribute_9_d93 = delay_93_from_0_copy2_out[63:48];
+    wire [15:0] attribute_10_d93 = delay_93_from_0_copy2_out[79:64];
+    wire [15:0] attribute_11_d93 = delay_93_from_0_copy2_out[95:80];
+    wire [15:0] attribute_12_d93 = delay_93_from_0_copy3_out[15:0];
+    wire [15:0] cardinal_0_d93 = delay_93_from_0_copy3_out[31:16];
+    wire [8:0] first_x_d12 = delay_12_from_0_out[9:1];
+    wire [8:0] last_x_d12 = delay_12_from_0_out[18:10];
+    wire [8:0] last_y_d12 = delay_12_from_1_out[9:1];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_y[30:23]};
     wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
@@ -8587,8 +8527,8 @@ module splat_setup (
     wire [10:0] center_z_bits_plus_10 = {3'd0, in_center_z[30:23]} + 11'd10;
     wire turned_in_order = center_z_bits_plus_10_d1 < turned_greater_d1;
     wire not_beyond_near = ~lt_f32_ftz_unit_y;
-    wire turned_either = turned_in_order_d1 | not_beyond_near;
-    wire turned = lt_f32_ftz_unit_y & turned_either_d2;
+    wire turned_either = turned_in_order | not_beyond_near;
+    wire turned = lt_f32_ftz_unit_copy3_y & turned_either_d2;
     wire [31:0] lowered_chosen_copy2 = swapped_d2 ? tangent1_x_d3 : tangent2_x_d3;
     wire [31:0] lowered_chosen_copy6 = turned ? lowered_chosen_copy2 : tangent1_x_d3;
     wire [31:0] lowered_chosen_copy3 = swapped_d2 ? tangent1_y_d3 : tangent2_y_d3;
@@ -8652,49 +8592,54 @@ module splat_setup (
     wire lowered_chosen_bits_is_255_copy6 = 11'd255 == lowered_chosen_bits_d3_copy6;
     wire [10:0] beta_difference = lowered_chosen_bits_d3_copy6 - lowered_d1;
     wire [10:0] beta_chosen = lowered_chosen_bits_is_255_d1_copy6 ? lowered_chosen_bits_d3_copy6 : beta_difference;
-    wire turned_d5 = delay_5_from_0_out[0];
     wire not_turned = ~turned_d5;
-    wire beyond_near_and_not_turned_d14 = delay_14_from_1_out[0];
-    wire [31:0] alpha_d11 = delay_11_from_0_copy3_out[31:0];
-    wire [31:0] beta_d11 = delay_11_from_0_copy3_out[63:32];
-    wire not_turned_d25 = delay_7_from_0_out[0];
-    wire not_turned_and_whole_in_order = not_turned_d25 & lt_f32_ftz_unit_copy2_y;
-    wire zero_is_lowered = 11'd0 == lowered_d27;
-    wire whole = not_turned_and_whole_in_order & zero_is_lowered;
-    wire before_far_in_order = mul_f32_ftz_unit_copy5_y[30:0] < 31'd16;
-    wire [30:0] before_far_difference = mul_f32_ftz_unit_copy5_y[30:0] - 31'd16;
+    wire beyond_near_and_not_turned_d14 = delay_14_from_0_out[64];
+    wire [31:0] alpha_d11 = delay_11_from_1_out[95:64];
+    wire [31:0] beta_d11 = delay_11_from_1_copy2_out[31:0];
+    wire zero_is_lowered = 11'd0 == delay_24_from_1_out;
+    wire whole_d42 = delay_12_from_1_out[0];
+    wire not_turned_and_whole_in_order = delay_6_from_1_out & lt_f32_ftz_unit_copy5_y;
+    wire whole = not_turned_and_whole_in_order & zero_is_lowered_d1;
+    wire [31:0] f_chosen = whole ? e_d1 : delay_25_from_1_out;
+    wire before_far_in_order = mul_f32_ftz_unit_copy3_y[30:0] < 31'd16;
+    wire [30:0] before_far_difference = mul_f32_ftz_unit_copy3_y[30:0] - 31'd16;
     wire [30:0] before_far_chosen = before_far_in_order ? 31'd0 : before_far_difference;
-    wire first_x_product_bits_below_16 = mul_f32_ftz_unit_copy15_y[30:0] < 31'd16;
-    wire [30:0] first_x_product_bits_minus_16 = mul_f32_ftz_unit_copy15_y[30:0] - 31'd16;
+    wire sight_disc_out_d50 = delay_50_from_0_out[0];
+    wire whole_d30 = delay_30_from_1_out[0];
+    wire beyond_near = whole_d30 & le_f32_ftz_unit_y;
+    wire [31:0] spread_middle_d5 = delay_5_from_1_out[31:0];
+    wire [31:0] center_depth_d37 = delay_8_from_0_out[31:0];
+    wire [31:0] middle_depth_chosen = delay_36_from_0_out ? center_depth_d37 : 32'd0;
+    wire [31:0] middle_depth = beyond_near ? spread_middle_d5 : middle_depth_chosen;
+    wire first_x_product_bits_below_16 = mul_f32_ftz_unit_copy8_y[30:0] < 31'd16;
+    wire [30:0] first_x_product_bits_minus_16 = mul_f32_ftz_unit_copy8_y[30:0] - 31'd16;
     wire [30:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 31'd0 : first_x_product_bits_minus_16;
-    wire whole_d43 = delay_12_from_0_out[0];
-    wire [31:0] first_x_chosen_d17 = delay_17_from_0_out[64:33];
-    wire [31:0] first_x_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy11_y : first_x_chosen_d17;
-    wire [31:0] last_x_chosen_d17 = delay_17_from_0_out[96:65];
-    wire [31:0] last_x_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy12_y : last_x_chosen_d17;
+    wire [31:0] first_x_chosen_d16 = delay_16_from_1_out[32:1];
+    wire [31:0] first_x_chosen_copy9 = whole_d42 ? add_f32_ftz_unit_copy4_y : first_x_chosen_d16;
+    wire [31:0] last_x_chosen_d16 = delay_16_from_1_out[64:33];
+    wire [31:0] last_x_chosen_copy3 = whole_d42 ? add_f32_ftz_unit_copy5_y : last_x_chosen_d16;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
-    wire first_y_product_bits_below_16 = mul_f32_ftz_unit_copy24_y[30:0] < 31'd16;
-    wire [30:0] first_y_product_bits_minus_16 = mul_f32_ftz_unit_copy24_y[30:0] - 31'd16;
+    wire [31:0] center_y_d43 = delay_20_from_0_out[63:32];
+    wire first_y_product_bits_below_16 = mul_f32_ftz_unit_copy12_y[30:0] < 31'd16;
+    wire [30:0] first_y_product_bits_minus_16 = mul_f32_ftz_unit_copy12_y[30:0] - 31'd16;
     wire [30:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 31'd0 : first_y_product_bits_minus_16;
-    wire [31:0] first_y_chosen_d17 = delay_17_from_0_copy2_out[63:32];
-    wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy20_y : first_y_chosen_d17;
-    wire [31:0] last_y_chosen_d17 = delay_17_from_0_copy2_out[95:64];
-    wire [31:0] last_y_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy21_y : last_y_chosen_d17;
-    wire sight_disc_out_d51 = delay_51_from_0_out[0];
-    wire [31:0] first_y_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_copy2_y : first_y_chosen_d2;
+    wire [31:0] first_y_chosen_d17 = delay_17_from_1_out[96:65];
+    wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy6_y : first_y_chosen_d17;
+    wire [31:0] last_y_chosen_d16 = delay_16_from_1_out[96:65];
+    wire [31:0] last_y_chosen_copy3 = whole_d42 ? add_f32_ftz_unit_copy12_y : last_y_chosen_d16;
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy7_y[30:23]};
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy6_y[30:23]};
     wire [10:0] a_x_bits_d10 = delay_9_from_1_out[10:0];
-    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy15_y[30:23]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy10_y[30:23]};
     wire [10:0] a_y_bits_d10 = delay_9_from_1_out[21:11];
     wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
-    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy9_y[30:23]};
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy7_y[30:23]};
     wire [10:0] b_x_bits_d10 = delay_9_from_1_out[32:22];
-    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy17_y[30:23]};
+    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy11_y[30:23]};
     wire [10:0] b_y_bits_d10 = delay_9_from_1_out[43:33];
     wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
@@ -8702,19 +8647,17 @@ module splat_setup (
     wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
     wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
     wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
-    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1_bits;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
     wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
-    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
-    wire [30:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 31'd0;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
     wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
     wire zero_is_a_y_bits = 11'd0 == a_y_bits_d1_bits;
     wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
     wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
     wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
-    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
     wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [30:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 31'd0;
     wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
@@ -8722,9 +8665,9 @@ module splat_setup (
     wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
-    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1_bits;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [30:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 31'd0;
     wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
@@ -8732,91 +8675,93 @@ module splat_setup (
     wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
-    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1_bits;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
-    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
-    wire [30:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 31'd0;
-    wire [10:0] beta_bits_d11 = delay_11_from_0_copy2_out[106:96];
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire [10:0] beta_bits_d11 = delay_11_from_1_out[106:96];
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d11;
-    wire [10:0] alpha_bits_d11 = delay_11_from_0_copy3_out[106:96];
+    wire [10:0] alpha_bits_d11 = delay_11_from_1_copy2_out[106:96];
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d11;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d11 + a_exponent_plus_127;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
-    wire not_zero_is_beta_bits_d12 = delay_12_from_0_out[51];
+    wire not_zero_is_beta_bits_d12 = delay_12_from_1_out[10];
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d12;
-    wire beta_bits_is_255 = 11'd255 == beta_bits_d12;
+    wire beta_bits_is_255 = 11'd255 == beta_bits_d11;
     wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
     wire [10:0] mx_chosen = beta_bits_is_255_d1 ? beta_bits_d12 : mx_sum_minus_m_exponent;
     wire mx_both_or_beta_bits_is_255 = mx_both_d1 | beta_bits_is_255_d1;
-    wire [30:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d13[22:0]} : 31'd0;
-    wire [31:0] mx_joined_d1_bits = {beta_d13[31], mx_chosen_copy2};
+    wire [30:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d12[22:0]} : 31'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d11 + b_exponent_plus_127;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
-    wire not_zero_is_alpha_bits_d12 = delay_12_from_0_out[52];
+    wire not_zero_is_alpha_bits_d12 = delay_12_from_1_out[11];
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d12;
-    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d12;
+    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d11;
     wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d12 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
-    wire [30:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d13[22:0]} : 31'd0;
+    wire [30:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d12[22:0]} : 31'd0;
+    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 31'd0;
+    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 31'd0;
     wire [10:0] largest_sum_d8 = delay_8_from_0_out[42:32];
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy26_y[30:23]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, mul_add_f32_ftz_unit_copy3_y[30:23]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_sum_copy2 = largest_sum_d8 + unit_delta_bits_d1_bits;
     wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
     wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
     wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
-    wire [10:0] largest_greater_plus_154_d8 = delay_8_from_1_out[42:32];
+    wire [10:0] largest_greater_plus_154_d8 = delay_8_from_0_out[53:43];
     wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d8 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d8;
     wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum_copy2;
-    wire [31:0] b_depth_d19 = delay_11_from_0_copy3_out[95:64];
+    wire [31:0] b_depth_d19 = delay_11_from_1_copy2_out[63:32];
     wire [10:0] largest_in_order_bits = {3'd0, b_depth_d19[30:23]};
     wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
     wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
     wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
     wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
-    wire [10:0] largest = (largest_greater_d1_copy3 < delay_9_from_0_out) ? delay_9_from_0_out : largest_greater_d1_copy3;
+    wire [10:0] largest_sum_d9_copy2 = delay_9_from_0_out[74:64];
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d9_copy2) ? largest_sum_d9_copy2 : largest_greater_d1_copy3;
     wire [10:0] a_x_bits_plus_381 = a_x_bits_d10 + 11'd381;
-    wire not_zero_is_a_x_bits_d11 = delay_10_from_1_out[96];
+    wire not_zero_is_a_x_bits_d11 = delay_10_from_1_out[0];
     wire ax_out_in_order = largest_d1 < a_x_bits_plus_381_d1;
     wire ax_out_both = not_zero_is_a_x_bits_d11 & ax_out_in_order;
-    wire a_x_bits_is_255_d11 = delay_10_from_1_out[97];
+    wire a_x_bits_is_255_d11 = delay_10_from_0_out[1];
     wire [10:0] ax_out_difference = a_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] ax_out_chosen = a_x_bits_is_255_d11 ? a_x_bits_d11 : ax_out_difference;
-    wire a_x_sign_d11 = delay_10_from_1_out[98];
+    wire a_x_sign_d11 = delay_10_from_0_out[25];
     wire a_x_bits_is_255_or_ax_out_both = a_x_bits_is_255_d11 | ax_out_both_d1;
-    wire [22:0] a_x_bits_d11_copy2 = delay_10_from_1_copy2_out[54:32];
+    wire [22:0] a_x_bits_d11_copy2 = delay_10_from_0_out[24:2];
     wire [30:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? {ax_out_chosen_d1, a_x_bits_d11_copy2} : 31'd0;
     wire [10:0] a_y_bits_plus_381 = a_y_bits_d10 + 11'd381;
-    wire not_zero_is_a_y_bits_d11 = delay_10_from_1_out[99];
+    wire not_zero_is_a_y_bits_d11 = delay_10_from_1_out[1];
     wire ay_out_in_order = largest_d1 < a_y_bits_plus_381_d1;
     wire ay_out_both = not_zero_is_a_y_bits_d11 & ay_out_in_order;
-    wire a_y_bits_is_255_d11 = delay_10_from_1_out[100];
+    wire a_y_bits_is_255_d11 = delay_10_from_0_out[26];
     wire [10:0] ay_out_difference = a_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] ay_out_chosen = a_y_bits_is_255_d11 ? a_y_bits_d11 : ay_out_difference;
-    wire a_y_sign_d11 = delay_10_from_1_out[101];
+    wire a_y_sign_d11 = delay_10_from_0_out[50];
     wire a_y_bits_is_255_or_ay_out_both = a_y_bits_is_255_d11 | ay_out_both_d1;
-    wire [22:0] a_y_bits_d11_copy2 = delay_10_from_1_copy2_out[77:55];
+    wire [22:0] a_y_bits_d11_copy2 = delay_10_from_0_out[49:27];
     wire [30:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? {ay_out_chosen_d1, a_y_bits_d11_copy2} : 31'd0;
     wire [10:0] b_x_bits_plus_381 = b_x_bits_d10 + 11'd381;
-    wire not_zero_is_b_x_bits_d11 = delay_10_from_1_out[102];
+    wire not_zero_is_b_x_bits_d11 = delay_10_from_1_out[2];
     wire bx_out_in_order = largest_d1 < b_x_bits_plus_381_d1;
     wire bx_out_both = not_zero_is_b_x_bits_d11 & bx_out_in_order;
-    wire b_x_bits_is_255_d11 = delay_10_from_1_out[103];
+    wire b_x_bits_is_255_d11 = delay_10_from_0_out[51];
     wire [10:0] bx_out_difference = b_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] bx_out_chosen = b_x_bits_is_255_d11 ? b_x_bits_d11 : bx_out_difference;
     wire [10:0] b_y_bits_plus_381 = b_y_bits_d10 + 11'd381;
-    wire not_zero_is_b_y_bits_d11 = delay_10_from_1_out[105];
+    wire not_zero_is_b_y_bits_d11 = delay_10_from_1_out[3];
     wire by_out_in_order = largest_d1 < b_y_bits_plus_381_d1;
     wire by_out_both = not_zero_is_b_y_bits_d11 & by_out_in_order;
-    wire b_y_bits_is_255_d11 = delay_10_from_1_out[106];
+    wire b_y_bits_is_255_d11 = delay_10_from_0_out[76];
     wire [10:0] by_out_difference = b_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] by_out_chosen = b_y_bits_is_255_d11 ? b_y_bits_d11 : by_out_difference;
-    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d9;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d10;
     wire [10:0] delta_sum = unit_delta_bits_d2 + largest_sum_plus_127_copy2;
     wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
     wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
@@ -8828,49 +8773,50 @@ module splat_setup (
     wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
     wire [30:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d3_copy2} : 31'd0;
     wire [31:0] delta = {unit_delta_sign_d3, delta_chosen_copy2};
-    wire [10:0] mx_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy14_y[30:23]};
-    wire [10:0] mx_sum_d8 = delay_8_from_0_out[53:43];
-    wire [10:0] mx_sum_plus_mx_bits = mx_sum_d8 + mx_bits_d1_bits;
-    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
-    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire mx_in_order = largest_d1 < mx_sum_plus_mx_bits_d1;
-    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_bits_d1;
-    wire mx_bits_is_255 = 11'd255 == mx_bits_d1;
-    wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
-    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy15_y[30:23]};
-    wire [10:0] mx_sum_plus_my_bits = mx_sum_d8 + my_bits_d1_bits;
-    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
-    wire not_zero_is_my_bits = ~zero_is_my_bits;
-    wire my_in_order = largest_d1 < mx_sum_plus_my_bits_d1;
-    wire my_both = my_in_order & not_zero_is_my_bits_d1;
-    wire my_bits_is_255 = 11'd255 == my_bits_d1;
-    wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
-    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
+    wire [10:0] mx_sum_bits_d1_bits = {3'd0, mul_mul_add_f32_ftz_unit_copy3_y[30:23]};
+    wire [10:0] mx_sum_d9 = delay_9_from_0_out[85:75];
+    wire [10:0] mx_sum_plus_mx_sum_bits = mx_sum_d9 + mx_sum_bits_d1;
+    wire zero_is_mx_sum_bits = 11'd0 == mx_sum_bits_d1_bits;
+    wire not_zero_is_mx_sum_bits = ~zero_is_mx_sum_bits;
+    wire mx_in_order = largest_d1 < mx_sum_plus_mx_sum_bits_d1;
+    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_sum_bits_d2;
+    wire mx_sum_bits_is_255 = 11'd255 == mx_sum_bits_d2;
+    wire [10:0] mx_difference = mx_sum_plus_mx_sum_bits_d1 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_sum_bits_is_255_d1 ? mx_sum_bits_d2 : mx_difference;
+    wire [10:0] my_sum_bits_d1_bits = {3'd0, mul_mul_add_f32_ftz_unit_copy5_y[30:23]};
+    wire [10:0] mx_sum_plus_my_sum_bits = mx_sum_d9 + my_sum_bits_d1;
+    wire zero_is_my_sum_bits = 11'd0 == my_sum_bits_d1_bits;
+    wire not_zero_is_my_sum_bits = ~zero_is_my_sum_bits;
+    wire my_in_order = largest_d1 < mx_sum_plus_my_sum_bits_d1;
+    wire my_both = my_in_order & not_zero_is_my_sum_bits_d2;
+    wire my_sum_bits_is_255 = 11'd255 == my_sum_bits_d2;
+    wire [10:0] my_difference = mx_sum_plus_my_sum_bits_d1 - largest_d1;
+    wire [10:0] my_chosen = my_sum_bits_is_255_d1 ? my_sum_bits_d2 : my_difference;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
-    wire [8:0] unit_delta_bits_plus_18_bits = {1'd0, add_f32_ftz_unit_copy26_y[30:23]};
+    wire [8:0] unit_delta_bits_plus_18_bits = {1'd0, mul_add_f32_ftz_unit_copy3_y[30:23]};
     wire unit_delta_bits_is_zero = unit_delta_bits_plus_18_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_20 = unit_delta_bits_plus_18_bits + 9'd20;
-    wire edge_on_in_order = unit_delta_bits_plus_20 < {1'd0, unit_delta_product_bits_d4};
+    wire edge_on_in_order = unit_delta_bits_plus_20 < {1'd0, unit_delta_product_bits_d3};
     wire [8:0] unit_delta_bits_plus_18 = unit_delta_bits_plus_18_bits + 9'd18;
-    wire doubtful_in_order = unit_delta_bits_plus_18 < {1'd0, unit_delta_product_bits_d4};
+    wire doubtful_in_order = unit_delta_bits_plus_18 < {1'd0, unit_delta_product_bits_d3};
     wire [26:0] first_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_y} >> 7);
     wire [26:0] last_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} >> 7);
     wire [26:0] first_difference_sum = first_sum_sum;
-    wire sight_disc_out_d62 = delay_11_from_0_out[96];
-    wire [31:0] last_difference_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy8_y : last_difference_sum_d2;
+    wire sight_disc_out_d61 = delay_10_from_0_out[0];
+    wire [31:0] last_difference_chosen = sight_disc_out_d61 ? max_f32_ftz_unit_copy8_y : last_difference_sum_d2;
     wire [26:0] last_difference_sum = last_sum_sum;
-    wire whole_and_first_sum_both = delay_16_from_0_out & delay_64_from_0_out;
-    wire [26:0] first_sum_difference = delay_61_from_1_out - first_sum_sum_d1_copy3;
+    wire whole_d59 = delay_16_from_1_out[0];
+    wire whole_and_first_sum_both = whole_d59 & delay_63_from_0_out;
+    wire [26:0] first_sum_difference = delay_60_from_1_out - first_sum_sum_d1_copy3;
     wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
-    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + delay_61_from_1_out;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + delay_60_from_1_out;
     wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
     wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
     wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd1023)) ? last_sum_shifted_d1 : 27'd1023;
-    wire [26:0] first_difference_difference_copy2 = delay_62_from_1_out - first_difference_sum_d1_copy2;
+    wire [26:0] first_difference_difference_copy2 = delay_61_from_1_out - first_difference_sum_d1_copy2;
     wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
     wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd511;
-    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + delay_62_from_1_out;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + delay_61_from_1_out;
     wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
     wire [26:0] last_difference_sum_copy4 = 27'd511 + last_difference_shifted_d1;
     wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy3)) ? first_difference_sum_d1_copy3 : 27'd0;
@@ -8882,156 +8828,150 @@ module splat_setup (
     wire [26:0] first_difference = whole_and_first_sum_both_d2 ? first_difference_greater_d1 : 27'd0;
     wire visible_in_order = ~($signed(last_difference) < $signed(first_difference));
     wire occupied_x = first_x_shifted_d3 < last_x_lesser_d1;
-    wire before_far_and_occupied_x = delay_57_from_0_out & occupied_x;
+    wire before_far_and_occupied_x = delay_56_from_0_out & occupied_x;
+    wire turned_and_lowered_chosen_sign_d37 = delay_37_from_1_out[0];
+    wire sight_negative_out = mul_add_f32_ftz_unit_copy3_y[31] ^ turned_and_lowered_chosen_sign_d37;
     wire visible_both = first_sum_up_to_last_sum_d2 & visible_in_order_d1;
-    wire visible_both_and_visible_both = visible_both & delay_11_from_1_out;
-    wire visible_both_copy3 = delay_86_from_1_out & visible_both_and_visible_both;
+    wire visible_both_d11 = delay_11_from_1_out[107];
+    wire visible_both_and_visible_both = visible_both & visible_both_d11;
+    wire visible_both_copy3 = delay_85_from_1_out & visible_both_and_visible_both;
     wire not_ax_out_joined_sign = ~a_x_sign_d11;
     wire not_ay_out_joined_sign = ~a_y_sign_d11;
-    wire [31:0] max_f32_ftz_unit_copy3_a_bits = {1'd0, in_tangent1_z[30:0]};
-    wire [31:0] max_f32_ftz_unit_copy3_b_bits = {1'd0, in_tangent2_z[30:0]};
-    wire [31:0] first_x_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_y : first_x_chosen_d2;
-    wire beyond_near = delay_30_from_0_out & le_f32_ftz_unit_y;
-    wire [31:0] center_depth_d39 = delay_8_from_1_out[31:0];
-    wire [31:0] middle_depth_chosen = delay_37_from_1_out ? center_depth_d39 : 32'd0;
-    wire [31:0] middle_depth = beyond_near ? spread_middle_d5 : middle_depth_chosen;
+    wire [31:0] first_y_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_copy2_y : first_y_chosen_d2;
+    wire [31:0] first_x_chosen_copy10 = sight_disc_out_d50 ? min_f32_ftz_unit_copy2_y : first_x_chosen_d2;
+    wire [31:0] add_f32_ftz_unit_copy2_b_bits = {~mul_mul_add_f32_ftz_unit_y[31], mul_mul_add_f32_ftz_unit_y[30:0]};
+    wire [31:0] center_x_d23 = delay_23_from_0_out[31:0];
     wire not_depth_a_sign = ~depth_a[31];
-    wire [31:0] add_f32_ftz_unit_copy7_b_bits = {~mul_f32_ftz_unit_copy11_y[31], mul_f32_ftz_unit_copy11_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy9_b_bits = {~mul_f32_ftz_unit_copy14_y[31], mul_f32_ftz_unit_copy14_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy10_b_bits = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
-    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[32:1];
-    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-    wire [31:0] center_y_d24 = delay_23_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy14_b_bits = {~mul_f32_ftz_unit_copy22_y[31], mul_f32_ftz_unit_copy22_y[30:0]};
-    wire [31:0] center_x_d44 = delay_20_from_0_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy15_b_bits = {~mul_f32_ftz_unit_copy24_y[31], mul_f32_ftz_unit_copy24_y[30:0]};
+    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_1_out[32:1];
+    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_1_out[64:33];
     wire [31:0] minus_filter_radius = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_copy2_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy20_b_bits = {~sqrt_f32_ftz_unit_copy3_y[31], sqrt_f32_ftz_unit_copy3_y[30:0]};
-    wire [31:0] t_x_plus_t_y_d28 = delay_28_from_0_out[31:0];
-    wire [31:0] t_x_minus_t_y_d28 = delay_28_from_0_out[63:32];
-    wire [31:0] center_y_d44 = delay_20_from_0_out[63:32];
-    wire [31:0] middle_depth_d7 = delay_7_from_1_out[32:1];
-    wire [31:0] add_f32_ftz_unit_copy26_b_bits = {~mul_f32_ftz_unit_copy26_y[31], mul_f32_ftz_unit_copy26_y[30:0]};
-    wire [31:0] f_chosen = whole_d1 ? e_d2 : delay_26_from_1_out;
-    wire [31:0] b_depth_d8 = delay_8_from_0_out[31:0];
-    wire [31:0] alpha_joined_d11 = delay_11_from_0_out[95:64];
-    wire [31:0] beta_joined_d11 = delay_11_from_0_copy2_out[95:64];
-    wire [31:0] b_depth_d31 = delay_12_from_0_out[32:1];
-    wire [31:0] abs_b_depth_d31 = delay_31_from_0_out[31:0];
-    wire [31:0] spread_half_d9 = delay_5_from_0_out[32:1];
-    wire [31:0] half_depth = beyond_near ? spread_half_d9 : delay_41_from_1_out;
-    wire [31:0] v_x_chosen_d15 = delay_15_from_0_out[31:0];
-    wire [31:0] a_x_joined_d11 = delay_11_from_0_out[31:0];
-    wire [31:0] b_x_joined_d11 = delay_11_from_0_copy2_out[31:0];
-    wire [31:0] t_x_sum_d10 = delay_10_from_1_out[31:0];
-    wire [31:0] a_x_squared_plus_b_x_squared_d10 = delay_10_from_1_out[63:32];
+    wire [31:0] center_x_d43 = delay_20_from_0_out[31:0];
+    wire [31:0] center_y_d23 = delay_22_from_0_out[31:0];
+    wire [31:0] minus_mul_f32_ftz_unit_copy6_y = {~mul_f32_ftz_unit_copy6_y[31], mul_f32_ftz_unit_copy6_y[30:0]};
+    wire [31:0] t_x_plus_t_y_d27 = delay_27_from_1_out[31:0];
+    wire [31:0] t_x_minus_t_y_d27 = delay_27_from_1_out[63:32];
+    wire [31:0] middle_depth_d7 = delay_6_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy16_b_bits = {~mul_add_f32_ftz_unit_copy2_y[31], mul_add_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] b_depth_d8 = delay_8_from_1_out[31:0];
+    wire [31:0] q_d20 = delay_14_from_0_out[96:65];
+    wire [31:0] alpha_joined_d11 = delay_11_from_1_out[31:0];
+    wire [31:0] beta_joined_d11 = delay_11_from_1_out[63:32];
+    wire [31:0] abs_b_depth_d30 = delay_30_from_1_out[32:1];
+    wire [31:0] t_x_sum_d9 = delay_9_from_0_out[31:0];
+    wire [31:0] v_x_chosen_d14 = delay_14_from_0_out[31:0];
+    wire [31:0] t_y_sum_d9 = delay_9_from_0_out[63:32];
     wire [31:0] first_x_chosen_d43 = delay_43_from_1_out[31:0];
-    wire [31:0] v_y_chosen_d15 = delay_15_from_0_out[63:32];
-    wire [31:0] a_y_joined_d11 = delay_11_from_0_out[63:32];
-    wire [31:0] b_y_joined_d11 = delay_11_from_0_copy2_out[63:32];
-    wire [31:0] t_y_sum_d10 = delay_10_from_1_out[95:64];
-    wire [31:0] a_y_squared_plus_b_y_squared_d10 = delay_10_from_1_copy2_out[31:0];
-    wire [31:0] first_y_chosen_d43 = delay_43_from_1_out[63:32];
-    wire [31:0] first_sum_sum_d10 = delay_10_from_1_copy3_out[54:23];
+    wire [31:0] v_y_chosen_d14 = delay_14_from_0_out[63:32];
+    wire [31:0] first_sum_sum_d12 = delay_12_from_1_out[43:12];
     wire [31:0] sight_near_out_joined = {not_depth_a_sign, depth_a[30:0]};
-    wire [31:0] q_d7 = delay_7_from_0_out[32:1];
-    wire [31:0] last_x_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_y : last_x_chosen_d2;
-    wire [31:0] first_sum_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy5_y : first_sum_sum_d2_copy2;
-    wire [31:0] last_y_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_copy2_y : last_y_chosen_d2;
-    wire [31:0] last_sum_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy6_y : last_sum_sum_d2;
-    wire [31:0] first_difference_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy7_y : first_difference_sum_d2;
-    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire not_turned_d18 = delay_17_from_0_out[0];
+    wire [31:0] first_y_chosen_d43 = delay_43_from_1_out[63:32];
+    wire [31:0] one_minus_depth_a_d40 = delay_39_from_0_out[63:32];
+    wire [31:0] mul_mul_add_f32_ftz_unit_a_choice = mul_mul_add_f32_ftz_unit_phase ? mul_f32_ftz_unit_y : mul_f32_ftz_unit_copy4_y;
+    wire [31:0] h_x_sum_d13 = delay_13_from_1_out[31:0];
+    wire [31:0] a_x_joined_d14 = delay_14_from_1_out[31:0];
+    wire [31:0] minus_mul_f32_ftz_unit_y = {~mul_f32_ftz_unit_y[31], mul_f32_ftz_unit_y[30:0]};
+    wire [31:0] h_y_sum_d13 = delay_13_from_1_out[63:32];
+    wire [31:0] b_x_joined_d14 = delay_14_from_1_out[95:64];
+    wire [31:0] minus_mul_f32_ftz_unit_copy2_y = {~mul_f32_ftz_unit_copy2_y[31], mul_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] a_y_joined_d14 = delay_14_from_1_out[63:32];
+    wire [31:0] b_depth_d30 = delay_11_from_1_copy2_out[95:64];
+    wire [31:0] spread_half_d8 = delay_5_from_1_out[63:32];
+    wire [31:0] half_depth_chosen_d39 = delay_39_from_0_out[31:0];
+    wire [31:0] half_depth = beyond_near ? spread_half_d8 : half_depth_chosen_d39;
+    wire [31:0] q_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] last_x_chosen_copy4 = sight_disc_out_d50 ? max_f32_ftz_unit_y : last_x_chosen_d2;
+    wire [31:0] first_sum_chosen = sight_disc_out_d61 ? max_f32_ftz_unit_copy5_y : first_sum_sum_d2_copy2;
+    wire [31:0] last_y_chosen_copy4 = sight_disc_out_d50 ? max_f32_ftz_unit_copy2_y : last_y_chosen_d2;
+    wire [31:0] last_sum_chosen = sight_disc_out_d61 ? max_f32_ftz_unit_copy6_y : last_sum_sum_d2;
+    wire [31:0] first_difference_chosen = sight_disc_out_d61 ? max_f32_ftz_unit_copy7_y : first_difference_sum_d2;
+    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
+    wire [10:0] largest_sum = lowered_d26 + a_exponent_plus_b_exponent;
     wire [10:0] lowered_plus_m_exponent = lowered_d27 + m_exponent_d1;
     wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
-    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
-    wire [10:0] largest_sum = delay_25_from_0_out + a_exponent_plus_b_exponent;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
     wire [8:0] first_y = first_y_shifted_d3[8:0];
-    wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
-    wire [30:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d4_copy3} : 31'd0;
-    wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
-    wire [30:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d4_copy2} : 31'd0;
-    wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
-    wire [30:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d4} : 31'd0;
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
+    wire [8:0] first_x = first_x_shifted_d3[8:0];
+    wire beyond_near_and_not_turned = beyond_near_d7 & not_turned_d1;
+    wire [31:0] v_y_chosen = swapped_d2 ? tangent2_y_d3 : tangent1_y_d3;
+    wire [31:0] v_y_chosen_copy2 = turned_d1 ? v_y_chosen : center_y_d3;
+    wire [31:0] v_x_chosen = swapped_d2 ? tangent2_x_d3 : tangent1_x_d3;
+    wire [31:0] v_x_chosen_copy2 = turned_d1 ? v_x_chosen : center_x_d3;
+    wire all_before_far = whole_d30 & le_f32_ftz_unit_copy4_y;
+    wire [31:0] half_depth_chosen = beyond_near_and_not_turned_d14 ? min_f32_ftz_unit_y : 32'h3f800000;
+    wire [31:0] ay_out = delay_36_from_1_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
+    wire [31:0] ax_out = delay_36_from_1_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
+    wire not_turned_d18 = delay_17_from_1_out[0];
+    wire before_far_both = not_turned_d18 & le_f32_ftz_unit_copy2_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d17 & before_far_both;
+    wire mx_both_or_mx_sum_bits_is_255 = mx_both_d1_copy3 | mx_sum_bits_is_255_d1;
+    wire [30:0] mx_chosen_copy6 = mx_both_or_mx_sum_bits_is_255 ? mx_joined_d1_copy3 : 31'd0;
+    wire [31:0] mx = {mx_sum_sign_d3, mx_chosen_copy6};
+    wire b_y_sign_d11 = delay_10_from_0_out[100];
+    wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d11 | by_out_both_d1;
+    wire [22:0] b_y_bits_d11_copy2 = delay_10_from_0_out[99:77];
+    wire [30:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? {by_out_chosen_d1, b_y_bits_d11_copy2} : 31'd0;
+    wire b_x_sign_d11 = delay_10_from_0_out[75];
+    wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d11 | bx_out_both_d1;
+    wire [22:0] b_x_bits_d11_copy2 = delay_10_from_0_out[74:52];
+    wire [30:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d11_copy2} : 31'd0;
+    wire my_both_or_my_sum_bits_is_255 = my_both_d1 | my_sum_bits_is_255_d1;
+    wire [30:0] my_chosen_copy2 = my_both_or_my_sum_bits_is_255 ? my_joined_d1 : 31'd0;
+    wire [31:0] my = {my_sum_sign_d3, my_chosen_copy2};
+    wire before_far_in_order_d12 = delay_12_from_0_out[0];
+    wire before_far = before_far_both | before_far_in_order_d12;
+    wire center_x_bits_below_140 = {3'd0, mul_add_f32_ftz_unit_y[30:23]} < 11'd140;
+    wire center_y_bits_below_140 = {3'd0, mul_add_f32_ftz_unit_copy2_y[30:23]} < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
+    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
+    wire occupied_y = first_y_shifted_d3 < last_y_lesser_d1;
+    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
     wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
     wire [30:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d4_copy6} : 31'd0;
-    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
-    wire [30:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d4_copy5} : 31'd0;
-    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
-    wire [30:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d4_copy4} : 31'd0;
+    wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
+    wire [30:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d4_copy3} : 31'd0;
     wire zero_is_alpha_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_y[30:23]};
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire zero_is_beta_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_copy2_y[30:23]};
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
-    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
-    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
-    wire [8:0] first_x = first_x_shifted_d3[8:0];
-    wire [31:0] v_y_chosen = swapped_d2 ? tangent2_y_d3 : tangent1_y_d3;
-    wire [31:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d3;
-    wire [31:0] v_x_chosen = swapped_d2 ? tangent2_x_d3 : tangent1_x_d3;
-    wire [31:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d3;
-    wire last_x_chosen_d51 = delay_51_from_0_out[2];
-    wire [31:0] last_x_chosen_copy2 = last_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'h45fff800;
-    wire first_x_chosen_d51 = delay_51_from_0_out[1];
-    wire [31:0] first_x_chosen_copy8 = first_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'd0;
-    wire last_y_chosen_d51 = delay_51_from_1_out[1];
-    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'h45fff800;
-    wire first_y_chosen_d51 = delay_51_from_1_out[0];
-    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'd0;
-    wire all_before_far = delay_30_from_0_out & le_f32_ftz_unit_copy2_y;
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
+    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
+    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
+    wire [30:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d4_copy4} : 31'd0;
+    wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
+    wire [30:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d4_copy2} : 31'd0;
+    wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
+    wire [30:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d4} : 31'd0;
+    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
+    wire [30:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d4_copy5} : 31'd0;
+    wire last_y_chosen_d50 = delay_50_from_1_out[4];
+    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d50 ? add_f32_ftz_unit_copy15_y : 32'h45fff800;
+    wire last_x_chosen_d50 = delay_50_from_1_out[2];
+    wire [31:0] last_x_chosen_copy2 = last_x_chosen_d50 ? add_f32_ftz_unit_copy8_y : 32'h45fff800;
+    wire first_x_chosen_d50 = delay_50_from_1_out[1];
+    wire [31:0] first_x_chosen_copy8 = first_x_chosen_d50 ? add_f32_ftz_unit_copy8_y : 32'd0;
+    wire first_y_chosen_d50 = delay_50_from_1_out[3];
+    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d50 ? add_f32_ftz_unit_copy15_y : 32'd0;
     wire visible_unequal = scale_x[31] ^ scale_y[31];
     wire swapped_and_turned = swapped_d2 & turned;
     wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
     wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[31];
-    wire last_x_chosen = scale_x[31] ? lt_f32_ftz_unit_copy3_y : lt_f32_ftz_unit_copy4_y;
-    wire first_x_chosen_copy7 = scale_x[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy3_y;
-    wire before_far_both = not_turned_d18 & le_f32_ftz_unit_y;
-    wire sight_disc_out = beyond_near_and_not_turned_d18 & before_far_both;
-    wire [31:0] ay_out = delay_35_from_0_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
-    wire [31:0] ax_out = delay_35_from_0_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
-    wire edge_on_lesser_below_32_d7 = delay_7_from_0_out[34];
+    wire [31:0] first_y_chosen_copy5 = lt_f32_ftz_unit_copy8_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
+    wire [31:0] first_x_chosen_copy5 = lt_f32_ftz_unit_copy6_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
+    wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy8_y : lt_f32_ftz_unit_copy9_y;
+    wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy9_y : lt_f32_ftz_unit_copy8_y;
+    wire last_x_chosen = scale_x[31] ? lt_f32_ftz_unit_copy6_y : lt_f32_ftz_unit_copy7_y;
+    wire first_x_chosen_copy7 = scale_x[31] ? lt_f32_ftz_unit_copy7_y : lt_f32_ftz_unit_copy6_y;
+    wire edge_on_lesser_below_32_d8 = delay_8_from_1_out[32];
     wire doubtful_either = unit_delta_bits_is_zero_d1 | doubtful_in_order_d1;
-    wire doubtful = edge_on_lesser_below_32_d7 | doubtful_either;
-    wire turned_and_lowered_chosen_sign_d37 = delay_37_from_0_out[0];
-    wire sight_negative_out = unit_delta_sign_d1 ^ turned_and_lowered_chosen_sign_d37;
-    wire visible_unequal_d37 = delay_37_from_0_out[1];
-    wire visible_unequal_copy3 = sight_negative_out ^ visible_unequal_d37;
+    wire doubtful = edge_on_lesser_below_32_d8 | doubtful_either;
+    wire visible_unequal_d37 = delay_37_from_1_out[1];
+    wire visible_unequal_copy3 = sight_negative_out_d1 ^ visible_unequal_d37;
     wire doubtful_or_visible_unequal = doubtful | visible_unequal_copy3;
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
-    wire edge_on = edge_on_lesser_below_32_d7 | edge_on_either;
-    wire before_far_in_order_d14 = delay_14_from_1_out[1];
-    wire before_far = before_far_both | before_far_in_order_d14;
-    wire center_x_bits_below_140 = {3'd0, add_f32_ftz_unit_copy6_y[30:23]} < 11'd140;
-    wire center_y_bits_below_140 = {3'd0, add_f32_ftz_unit_copy11_y[30:23]} < 11'd140;
-    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
-    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
-    wire occupied_y = first_y_shifted_d3 < last_y_lesser_d1;
-    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
-    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
-    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
-    wire beyond_near_and_not_turned = beyond_near_d7 & not_turned_d1;
-    wire [31:0] half_depth_chosen = beyond_near_and_not_turned_d14 ? min_f32_ftz_unit_y : 32'h3f800000;
-    wire [31:0] first_y_chosen_copy5 = lt_f32_ftz_unit_copy4_y ? center_y_minus_first_y_joined_d2 : center_y_plus_first_y_joined_d2;
-    wire [31:0] first_x_chosen_copy5 = first_x_in_order_d1_copy3 ? center_x_minus_first_x_joined_d2 : center_x_plus_first_x_joined_d2;
-    wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy5_y;
-    wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy5_y : lt_f32_ftz_unit_copy4_y;
-    wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
-    wire [30:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? mx_joined_d1_copy3 : 31'd0;
-    wire [31:0] mx = {mx_bits_d2, mx_chosen_copy6};
-    wire b_y_sign_d11 = delay_10_from_1_out[107];
-    wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d11 | by_out_both_d1;
-    wire [22:0] b_y_bits_d11_copy2 = delay_10_from_1_copy3_out[22:0];
-    wire [30:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? {by_out_chosen_d1, b_y_bits_d11_copy2} : 31'd0;
-    wire b_x_sign_d11 = delay_10_from_1_out[104];
-    wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d11 | bx_out_both_d1;
-    wire [22:0] b_x_bits_d11_copy2 = delay_10_from_1_copy2_out[100:78];
-    wire [30:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d11_copy2} : 31'd0;
-    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
-    wire [30:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? my_joined_d1 : 31'd0;
-    wire [31:0] my = {my_bits_d2, my_chosen_copy2};
+    wire edge_on = edge_on_lesser_below_32_d8 | edge_on_either;
     wire [26:0] first_sum_sum_copy2_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
     wire [26:0] first_sum_sum_copy2_bits_2 = {{5{to_fixed_f32_ftz_s22q8_unit_y[21]}}, to_fixed_f32_ftz_s22q8_unit_y};
     wire [26:0] first_sum_sum_copy2 = first_sum_sum_copy2_bits + first_sum_sum_copy2_bits_2;
@@ -9053,32 +8993,32 @@ module splat_setup (
         out_first_sum, out_last_sum, out_first_difference, out_last_difference
     } = queue_6_out_data;
 
-    memory_1w1r #(.WIDTH(97), .DEPTH(94)) delay_95_from_0 (
-        .clk(clk), .write(phases_14[0]), .write_address(delay_95_from_0_pointer),
+    memory_1w1r #(.WIDTH(97), .DEPTH(92)) delay_93_from_0 (
+        .clk(clk), .write(phases_13[0]), .write_address(delay_93_from_0_pointer),
         .write_data({
             in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0,
             in_end
         }),
-        .read(phases_14[0]), .read_address(delay_95_from_0_pointer), .read_data(delay_95_from_0_out)
+        .read(phases_13[0]), .read_address(delay_93_from_0_pointer), .read_data(delay_93_from_0_out)
     );
 
-    memory_1w1r #(.WIDTH(96), .DEPTH(94)) delay_95_from_0_copy2 (
-        .clk(clk), .write(phases_15[0]), .write_address(delay_95_from_0_copy2_pointer),
+    memory_1w1r #(.WIDTH(96), .DEPTH(92)) delay_93_from_0_copy2 (
+        .clk(clk), .write(phases_14[0]), .write_address(delay_93_from_0_copy2_pointer),
         .write_data({in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7, in_attribute_6}),
-        .read(phases_15[0]), .read_address(delay_95_from_0_copy2_pointer),
-        .read_data(delay_95_from_0_copy2_out)
+        .read(phases_14[0]), .read_address(delay_93_from_0_copy2_pointer),
+        .read_data(delay_93_from_0_copy2_out)
     );
 
-    memory_1w1r #(.WIDTH(32), .DEPTH(94)) delay_95_from_0_copy3 (
-        .clk(clk), .write(phases_12[0]), .write_address(delay_95_from_0_copy3_pointer),
+    memory_1w1r #(.WIDTH(32), .DEPTH(92)) delay_93_from_0_copy3 (
+        .clk(clk), .write(phases_7[0]), .write_address(delay_93_from_0_copy3_pointer),
         .write_data({in_cardinal_0, in_attribute_12}),
-        .read(phases_12[0]), .read_address(delay_95_from_0_copy3_pointer),
-        .read_data(delay_95_from_0_copy3_out)
+        .read(phases_7[0]), .read_address(delay_93_from_0_copy3_pointer),
+        .read_data(delay_93_from_0_copy3_out)
     );
 
-    memory_1w1r #(.WIDTH(1), .DEPTH(85)) delay_86_from_1 (
-        .clk(clk), .write(phases_2[1]), .write_address(delay_86_from_1_pointer), .write_data(reaches_near),
-        .read(phases_2[1]), .read_address(delay_86_from_1_pointer), .read_data(delay_86_from_1_out)
+    memory_1w1r #(.WIDTH(1), .DEPTH(84)) delay_85_from_1 (
+        .clk(clk), .write(phases_5[1]), .write_address(delay_85_from_1_pointer), .write_data(reaches_near),
+        .read(phases_5[1]), .read_address(delay_85_from_1_pointer), .read_data(delay_85_from_1_out)
     );
 
     float_max_s2_f32ftz max_f32_ftz_unit (
@@ -9121,26 +9061,40 @@ module splat_setup (
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(in_center_z), .y(lt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy2_a), .b(lt_f32_ftz_unit_copy2_b),
+        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy2_a_bits), .b(lt_f32_ftz_unit_copy2_b_bits),
         .y(lt_f32_ftz_unit_copy2_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy3_a), .b(lt_f32_ftz_unit_copy3_b),
-        .y(lt_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(center_z_d2), .b(max_f32_ftz_unit_copy3_y), .y(lt_f32_ftz_unit_copy3_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy4_a), .b(lt_f32_ftz_unit_copy4_b),
-        .y(lt_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(near_plane), .b(add_f32_ftz_unit_y), .y(lt_f32_ftz_unit_copy4_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_copy5_a), .b(32'd0), .y(lt_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(32'h39800000), .b(add_f32_ftz_unit_copy2_y), .y(lt_f32_ftz_unit_copy5_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy6 (
+        .clk(clk), .enable(1'd1), .a(32'd0), .b(add_f32_ftz_unit_copy6_y), .y(lt_f32_ftz_unit_copy6_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy7 (
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy7_y), .b(32'd0), .y(lt_f32_ftz_unit_copy7_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy8 (
+        .clk(clk), .enable(1'd1), .a(32'd0), .b(add_f32_ftz_unit_copy13_y), .y(lt_f32_ftz_unit_copy8_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy9 (
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy14_y), .b(32'd0), .y(lt_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
@@ -9232,56 +9186,6 @@ module splat_setup (
         .y(add_f32_ftz_unit_copy18_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy19_a), .b(add_f32_ftz_unit_copy19_b),
-        .y(add_f32_ftz_unit_copy19_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy20_a), .b(add_f32_ftz_unit_copy20_b),
-        .y(add_f32_ftz_unit_copy20_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy21_a), .b(add_f32_ftz_unit_copy21_b),
-        .y(add_f32_ftz_unit_copy21_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy22_a), .b(add_f32_ftz_unit_copy22_b),
-        .y(add_f32_ftz_unit_copy22_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy23_a), .b(add_f32_ftz_unit_copy23_b),
-        .y(add_f32_ftz_unit_copy23_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy24_a), .b(add_f32_ftz_unit_copy24_b),
-        .y(add_f32_ftz_unit_copy24_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy25_a), .b(add_f32_ftz_unit_copy25_b),
-        .y(add_f32_ftz_unit_copy25_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy26_a), .b(add_f32_ftz_unit_copy26_b),
-        .y(add_f32_ftz_unit_copy26_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy27_a), .b(add_f32_ftz_unit_copy27_b),
-        .y(add_f32_ftz_unit_copy27_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy28 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy28_a), .b(add_f32_ftz_unit_copy28_b),
-        .y(add_f32_ftz_unit_copy28_y)
-    );
-
     float_recip_s28_f32ftz recip_f32_ftz_unit (
         .clk(clk), .enable(1'd1), .a(recip_f32_ftz_unit_a), .y(recip_f32_ftz_unit_y)
     );
@@ -9354,89 +9258,60 @@ module splat_setup (
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy14_a), .b(mul_f32_ftz_unit_copy14_b),
-        .y(mul_f32_ftz_unit_copy14_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_a), .b(mul_mul_add_f32_ftz_unit_b),
+        .c(mul_mul_add_f32_ftz_unit_c), .d(mul_mul_add_f32_ftz_unit_d), .y(mul_mul_add_f32_ftz_unit_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy15_a), .b(mul_f32_ftz_unit_copy15_b),
-        .y(mul_f32_ftz_unit_copy15_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy2_a), .b(mul_mul_add_f32_ftz_unit_copy2_b),
+        .c(mul_mul_add_f32_ftz_unit_copy2_c), .d(mul_mul_add_f32_ftz_unit_copy2_d),
+        .y(mul_mul_add_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy16_a), .b(mul_f32_ftz_unit_copy16_b),
-        .y(mul_f32_ftz_unit_copy16_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy3_a), .b(mul_mul_add_f32_ftz_unit_copy3_b),
+        .c(mul_mul_add_f32_ftz_unit_copy3_c), .d(mul_mul_add_f32_ftz_unit_copy3_d),
+        .y(mul_mul_add_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy17_a), .b(mul_f32_ftz_unit_copy17_b),
-        .y(mul_f32_ftz_unit_copy17_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy4_a), .b(mul_mul_add_f32_ftz_unit_copy4_b),
+        .c(mul_mul_add_f32_ftz_unit_copy4_c), .d(mul_mul_add_f32_ftz_unit_copy4_d),
+        .y(mul_mul_add_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy18_a), .b(mul_f32_ftz_unit_copy18_b),
-        .y(mul_f32_ftz_unit_copy18_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy5 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy5_a), .b(mul_mul_add_f32_ftz_unit_copy5_b),
+        .c(mul_mul_add_f32_ftz_unit_copy5_c), .d(mul_mul_add_f32_ftz_unit_copy5_d),
+        .y(mul_mul_add_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy19_a), .b(mul_f32_ftz_unit_copy19_b),
-        .y(mul_f32_ftz_unit_copy19_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy6 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy6_a), .b(mul_mul_add_f32_ftz_unit_copy6_b),
+        .c(mul_mul_add_f32_ftz_unit_copy6_c), .d(mul_mul_add_f32_ftz_unit_copy6_d),
+        .y(mul_mul_add_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy20_a), .b(mul_f32_ftz_unit_copy20_b),
-        .y(mul_f32_ftz_unit_copy20_y)
+    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy7 (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy7_a), .b(mul_mul_add_f32_ftz_unit_copy7_b),
+        .c(mul_mul_add_f32_ftz_unit_copy7_c), .d(mul_mul_add_f32_ftz_unit_copy7_d),
+        .y(mul_mul_add_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy21_a), .b(mul_f32_ftz_unit_copy21_b),
-        .y(mul_f32_ftz_unit_copy21_y)
+    float_mul_add_f32ftz mul_add_f32_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_a), .b(mul_add_f32_ftz_unit_b),
+        .c(mul_add_f32_ftz_unit_c), .y(mul_add_f32_ftz_unit_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy22_a), .b(mul_f32_ftz_unit_copy22_b),
-        .y(mul_f32_ftz_unit_copy22_y)
+    float_mul_add_f32ftz mul_add_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_copy2_a), .b(mul_add_f32_ftz_unit_copy2_b),
+        .c(mul_add_f32_ftz_unit_copy2_c), .y(mul_add_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy23_a), .b(mul_f32_ftz_unit_copy23_b),
-        .y(mul_f32_ftz_unit_copy23_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy24_a), .b(mul_f32_ftz_unit_copy24_b),
-        .y(mul_f32_ftz_unit_copy24_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy25_a), .b(mul_f32_ftz_unit_copy25_b),
-        .y(mul_f32_ftz_unit_copy25_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy26_a), .b(mul_f32_ftz_unit_copy26_b),
-        .y(mul_f32_ftz_unit_copy26_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy27_a), .b(mul_f32_ftz_unit_copy27_b),
-        .y(mul_f32_ftz_unit_copy27_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy28 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy28_a), .b(mul_f32_ftz_unit_copy28_b),
-        .y(mul_f32_ftz_unit_copy28_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy29 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy29_a), .b(mul_f32_ftz_unit_copy29_b),
-        .y(mul_f32_ftz_unit_copy29_y)
-    );
-
-    float_mul_s6_f32ftz mul_f32_ftz_unit_copy30 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy30_a), .b(mul_f32_ftz_unit_copy30_b),
-        .y(mul_f32_ftz_unit_copy30_y)
+    float_mul_add_f32ftz mul_add_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_copy3_a), .b(mul_add_f32_ftz_unit_copy3_b),
+        .c(mul_add_f32_ftz_unit_copy3_c), .y(mul_add_f32_ftz_unit_copy3_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (
@@ -9452,12 +9327,19 @@ module splat_setup (
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b), .y(le_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(32'd0), .b(add_f32_ftz_unit_copy2_y), .y(le_f32_ftz_unit_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(le_f32_ftz_unit_copy2_a), .b(le_f32_ftz_unit_copy2_b),
-        .y(le_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_y), .b(32'h3f800000), .y(le_f32_ftz_unit_copy2_y)
+    );
+
+    float_le_s2_f32ftz le_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(depth_b), .b(before_far_joined_d1), .y(le_f32_ftz_unit_copy3_y)
+    );
+
+    float_le_s2_f32ftz le_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy5_y), .b(32'h3f800000), .y(le_f32_ftz_unit_copy4_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
@@ -9515,128 +9397,122 @@ module splat_setup (
         .y(to_fixed_f32_ftz_u24q24_unit_copy2_y)
     );
 
-    stream_fifo_d97_w97 queue_1 (
+    stream_fifo_d95_w97 queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({end_d95, center_x_d67, center_y_d67, ax_out_d52}),
+        .in_data({end_d93, center_x_d66, center_y_d66, ax_out_d50}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d97_w128 queue_2 (
+    stream_fifo_d95_w128 queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data({bx_out_d53, ay_out_d52, by_out_d53, delta_out}),
+        .in_data({bx_out_d51, ay_out_d50, by_out_d51, delta_out}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d97_w128 queue_3 (
+    stream_fifo_d95_w128 queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
-        .in_data({
-            mx_d53, delay_53_from_1_copy2_out, sight_negative_out_d55, sight_near_out, sight_far_out, turned_d92
-        }),
+        .in_data({mx_d51, delay_51_from_0_copy2_out, delay_53_from_0_out, sight_near_out, sight_far_out, turned_d91}),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
-    stream_fifo_d97_w121 queue_4 (
+    stream_fifo_d95_w121 queue_4 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
         .in_data({
-            sight_disc_out_d69, depth_out_d28, delay_17_from_0_copy3_out, delay_17_from_1_out, attribute_0_d95,
-            attribute_1_d95, attribute_2_d95
+            sight_disc_out_d68, delay_28_from_0_out, delay_18_from_0_out, delay_18_from_1_out, attribute_0_d93,
+            attribute_1_d93, attribute_2_d93
         }),
         .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
-    stream_fifo_d97_w128 queue_5 (
+    stream_fifo_d95_w128 queue_5 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
         .in_data({
-            attribute_3_d95, attribute_4_d95, attribute_5_d95, attribute_6_d95, attribute_7_d95, attribute_8_d95,
-            attribute_9_d95, attribute_10_d95
+            attribute_3_d93, attribute_4_d93, attribute_5_d93, attribute_6_d93, attribute_7_d93, attribute_8_d93,
+            attribute_9_d93, attribute_10_d93
         }),
         .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
     );
 
-    stream_fifo_d97_w124 queue_6 (
+    stream_fifo_d95_w124 queue_6 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_6_in_ready),
         .in_data({
-            attribute_11_d95, attribute_12_d95, cardinal_0_d95, first_x_d12, last_x_d12, first_y_d11,
-            delay_12_from_1_out, first_sum_out_d2, last_sum_out_d2, first_difference_out_d1,
-            last_difference_out_d1
+            attribute_11_d93, attribute_12_d93, cardinal_0_d93, first_x_d12, last_x_d12, delay_11_from_0_out,
+            last_y_d12, first_sum_out_d2, last_sum_out_d2, first_difference_out_d1, last_difference_out_d1
         }),
         .out_valid(queue_6_out_valid), .out_ready(out_ready), .out_data(queue_6_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 8'd96;
+            credits <= 8'd94;
             phases_1 <= 2'd1;
-            delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
             delay_7_from_0_pointer <= 3'd0;
             phases_2 <= 2'd1;
             delay_8_from_0_pointer <= 3'd0;
-            delay_9_from_0_pointer <= 3'd0;
             phases_3 <= 2'd1;
-            delay_11_from_0_pointer <= 4'd0;
+            delay_9_from_0_pointer <= 3'd0;
             phases_4 <= 2'd1;
-            delay_11_from_0_copy2_pointer <= 4'd0;
-            phases_5 <= 2'd1;
-            delay_11_from_0_copy3_pointer <= 4'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            delay_11_from_0_pointer <= 4'd0;
             delay_12_from_0_pointer <= 4'd0;
-            delay_13_from_0_pointer <= 4'd0;
+            phases_5 <= 2'd1;
+            delay_14_from_0_pointer <= 4'd0;
+            delay_18_from_0_pointer <= 5'd0;
             phases_6 <= 2'd1;
-            delay_15_from_0_pointer <= 4'd0;
-            delay_16_from_0_pointer <= 4'd0;
-            phases_7 <= 2'd1;
-            delay_17_from_0_pointer <= 4'd0;
-            phases_8 <= 2'd1;
-            delay_17_from_0_copy2_pointer <= 4'd0;
-            delay_17_from_0_copy3_pointer <= 4'd0;
-            phases_9 <= 2'd1;
             delay_20_from_0_pointer <= 5'd0;
-            phases_10 <= 2'd1;
+            phases_7 <= 2'd1;
+            delay_22_from_0_pointer <= 5'd0;
+            phases_8 <= 2'd1;
             delay_23_from_0_pointer <= 5'd0;
-            delay_24_from_0_pointer <= 5'd0;
-            delay_25_from_0_pointer <= 5'd0;
-            phases_11 <= 2'd1;
             delay_28_from_0_pointer <= 5'd0;
-            delay_30_from_0_pointer <= 5'd0;
+            delay_29_from_0_pointer <= 5'd0;
+            delay_32_from_0_pointer <= 5'd0;
+            delay_36_from_0_pointer <= 6'd0;
+            phases_9 <= 2'd1;
+            delay_39_from_0_pointer <= 6'd0;
+            phases_10 <= 2'd1;
+            delay_43_from_0_pointer <= 6'd0;
+            phases_11 <= 2'd1;
+            delay_50_from_0_pointer <= 6'd0;
             phases_12 <= 2'd1;
-            delay_31_from_0_pointer <= 5'd0;
-            delay_35_from_0_pointer <= 6'd0;
-            delay_37_from_0_pointer <= 6'd0;
-            delay_40_from_0_pointer <= 6'd0;
             delay_51_from_0_pointer <= 6'd0;
+            delay_51_from_0_copy2_pointer <= 6'd0;
+            delay_53_from_0_pointer <= 6'd0;
+            delay_56_from_0_pointer <= 6'd0;
+            delay_63_from_0_pointer <= 6'd0;
             phases_13 <= 2'd1;
-            delay_52_from_0_pointer <= 6'd0;
-            delay_55_from_0_pointer <= 6'd0;
-            delay_57_from_0_pointer <= 6'd0;
-            delay_64_from_0_pointer <= 6'd0;
+            delay_93_from_0_pointer <= 7'd0;
             phases_14 <= 2'd1;
-            delay_95_from_0_pointer <= 7'd0;
-            phases_15 <= 2'd1;
-            delay_95_from_0_copy2_pointer <= 7'd0;
-            delay_95_from_0_copy3_pointer <= 7'd0;
-            delay_7_from_1_pointer <= 3'd0;
+            delay_93_from_0_copy2_pointer <= 7'd0;
+            delay_93_from_0_copy3_pointer <= 7'd0;
+            delay_5_from_1_pointer <= 2'd0;
+            delay_6_from_1_pointer <= 3'd0;
             delay_8_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_10_from_1_pointer <= 4'd0;
-            delay_10_from_1_copy2_pointer <= 4'd0;
-            delay_10_from_1_copy3_pointer <= 4'd0;
             delay_11_from_1_pointer <= 4'd0;
+            delay_11_from_1_copy2_pointer <= 4'd0;
             delay_12_from_1_pointer <= 4'd0;
+            delay_13_from_1_pointer <= 4'd0;
             delay_14_from_1_pointer <= 4'd0;
+            delay_14_from_1_copy2_pointer <= 4'd0;
+            delay_16_from_1_pointer <= 4'd0;
             delay_17_from_1_pointer <= 4'd0;
-            delay_26_from_1_pointer <= 5'd0;
-            delay_31_from_1_pointer <= 5'd0;
-            delay_32_from_1_pointer <= 5'd0;
+            delay_18_from_1_pointer <= 5'd0;
+            delay_24_from_1_pointer <= 5'd0;
+            delay_25_from_1_pointer <= 5'd0;
+            delay_27_from_1_pointer <= 5'd0;
+            delay_30_from_1_pointer <= 5'd0;
+            delay_36_from_1_pointer <= 6'd0;
             delay_37_from_1_pointer <= 6'd0;
-            delay_41_from_1_pointer <= 6'd0;
             delay_43_from_1_pointer <= 6'd0;
-            delay_45_from_1_pointer <= 6'd0;
-            delay_51_from_1_pointer <= 6'd0;
-            delay_52_from_1_pointer <= 6'd0;
-            delay_53_from_1_pointer <= 6'd0;
-            delay_53_from_1_copy2_pointer <= 6'd0;
+            delay_50_from_1_pointer <= 6'd0;
+            delay_54_from_1_pointer <= 6'd0;
+            delay_60_from_1_pointer <= 6'd0;
             delay_61_from_1_pointer <= 6'd0;
-            delay_62_from_1_pointer <= 6'd0;
-            delay_86_from_1_pointer <= 7'd0;
+            delay_85_from_1_pointer <= 7'd0;
+            phases_15 <= 2'd1;
             phases_16 <= 2'd1;
             phases_17 <= 2'd1;
             phases_18 <= 2'd1;
@@ -9659,13 +9535,6 @@ module splat_setup (
             phases_35 <= 2'd1;
             phases_36 <= 2'd1;
             phases_37 <= 2'd1;
-            phases_38 <= 2'd1;
-            phases_39 <= 2'd1;
-            phases_40 <= 2'd1;
-            phases_41 <= 2'd1;
-            phases_42 <= 2'd1;
-            phases_43 <= 2'd1;
-            phases_44 <= 2'd1;
             max_f32_ftz_unit_phase <= 1'd0;
             max_f32_ftz_unit_copy2_phase <= 1'd0;
             max_f32_ftz_unit_copy3_phase <= 1'd0;
@@ -9674,10 +9543,6 @@ module splat_setup (
             max_f32_ftz_unit_copy6_phase <= 1'd0;
             max_f32_ftz_unit_copy7_phase <= 1'd0;
             max_f32_ftz_unit_copy8_phase <= 1'd0;
-            lt_f32_ftz_unit_phase <= 1'd0;
-            lt_f32_ftz_unit_copy2_phase <= 1'd0;
-            lt_f32_ftz_unit_copy3_phase <= 1'd0;
-            lt_f32_ftz_unit_copy4_phase <= 1'd0;
             add_f32_ftz_unit_phase <= 1'd0;
             add_f32_ftz_unit_copy2_phase <= 1'd0;
             add_f32_ftz_unit_copy3_phase <= 1'd0;
@@ -9695,16 +9560,6 @@ module splat_setup (
             add_f32_ftz_unit_copy15_phase <= 1'd0;
             add_f32_ftz_unit_copy16_phase <= 1'd0;
             add_f32_ftz_unit_copy17_phase <= 1'd0;
-            add_f32_ftz_unit_copy18_phase <= 1'd0;
-            add_f32_ftz_unit_copy19_phase <= 1'd0;
-            add_f32_ftz_unit_copy20_phase <= 1'd0;
-            add_f32_ftz_unit_copy21_phase <= 1'd0;
-            add_f32_ftz_unit_copy22_phase <= 1'd0;
-            add_f32_ftz_unit_copy23_phase <= 1'd0;
-            add_f32_ftz_unit_copy24_phase <= 1'd0;
-            add_f32_ftz_unit_copy25_phase <= 1'd0;
-            add_f32_ftz_unit_copy26_phase <= 1'd0;
-            add_f32_ftz_unit_copy27_phase <= 1'd0;
             recip_f32_ftz_unit_phase <= 1'd0;
             mul_f32_ftz_unit_phase <= 1'd0;
             mul_f32_ftz_unit_copy2_phase <= 1'd0;
@@ -9719,27 +9574,18 @@ module splat_setup (
             mul_f32_ftz_unit_copy11_phase <= 1'd0;
             mul_f32_ftz_unit_copy12_phase <= 1'd0;
             mul_f32_ftz_unit_copy13_phase <= 1'd0;
-            mul_f32_ftz_unit_copy14_phase <= 1'd0;
-            mul_f32_ftz_unit_copy15_phase <= 1'd0;
-            mul_f32_ftz_unit_copy16_phase <= 1'd0;
-            mul_f32_ftz_unit_copy17_phase <= 1'd0;
-            mul_f32_ftz_unit_copy18_phase <= 1'd0;
-            mul_f32_ftz_unit_copy19_phase <= 1'd0;
-            mul_f32_ftz_unit_copy20_phase <= 1'd0;
-            mul_f32_ftz_unit_copy21_phase <= 1'd0;
-            mul_f32_ftz_unit_copy22_phase <= 1'd0;
-            mul_f32_ftz_unit_copy23_phase <= 1'd0;
-            mul_f32_ftz_unit_copy24_phase <= 1'd0;
-            mul_f32_ftz_unit_copy25_phase <= 1'd0;
-            mul_f32_ftz_unit_copy26_phase <= 1'd0;
-            mul_f32_ftz_unit_copy27_phase <= 1'd0;
-            mul_f32_ftz_unit_copy28_phase <= 1'd0;
-            mul_f32_ftz_unit_copy29_phase <= 1'd0;
-            mul_f32_ftz_unit_copy30_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy2_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy3_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy4_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy5_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy6_phase <= 1'd0;
+            mul_mul_add_f32_ftz_unit_copy7_phase <= 1'd0;
+            mul_add_f32_ftz_unit_phase <= 1'd0;
+            mul_add_f32_ftz_unit_copy2_phase <= 1'd0;
+            mul_add_f32_ftz_unit_copy3_phase <= 1'd0;
             sqrt_f32_ftz_unit_phase <= 1'd0;
             sqrt_f32_ftz_unit_copy2_phase <= 1'd0;
-            le_f32_ftz_unit_phase <= 1'd0;
-            le_f32_ftz_unit_copy2_phase <= 1'd0;
             min_f32_ftz_unit_phase <= 1'd0;
             min_f32_ftz_unit_copy2_phase <= 1'd0;
             min_f32_ftz_unit_copy3_phase <= 1'd0;
@@ -9748,8 +9594,8 @@ module splat_setup (
             to_fixed_f32_ftz_u23q8_unit_phase <= 1'd0;
             to_fixed_f32_ftz_s22q8_unit_phase <= 1'd0;
             to_fixed_f32_ftz_u24q24_unit_phase <= 1'd0;
-            phases_45 <= 2'd1;
-            in_flight <= 95'd0;
+            phases_38 <= 2'd1;
+            in_flight <= 93'd0;
             left <= 1'd0;
             dropped <= 1'd0;
         end else begin
@@ -9791,13 +9637,6 @@ module splat_setup (
             phases_35 <= {phases_35[0], phases_35[1]};
             phases_36 <= {phases_36[0], phases_36[1]};
             phases_37 <= {phases_37[0], phases_37[1]};
-            phases_38 <= {phases_38[0], phases_38[1]};
-            phases_39 <= {phases_39[0], phases_39[1]};
-            phases_40 <= {phases_40[0], phases_40[1]};
-            phases_41 <= {phases_41[0], phases_41[1]};
-            phases_42 <= {phases_42[0], phases_42[1]};
-            phases_43 <= {phases_43[0], phases_43[1]};
-            phases_44 <= {phases_44[0], phases_44[1]};
             max_f32_ftz_unit_phase <= max_f32_ftz_unit_phase ? (max_f32_ftz_unit_phase - 1'd1) : (max_f32_ftz_unit_phase + 1'd1);
             max_f32_ftz_unit_copy2_phase <= max_f32_ftz_unit_copy2_phase ? (max_f32_ftz_unit_copy2_phase - 1'd1) : (max_f32_ftz_unit_copy2_phase + 1'd1);
             max_f32_ftz_unit_copy3_phase <= max_f32_ftz_unit_copy3_phase ? (max_f32_ftz_unit_copy3_phase - 1'd1) : (max_f32_ftz_unit_copy3_phase + 1'd1);
@@ -9806,10 +9645,6 @@ module splat_setup (
             max_f32_ftz_unit_copy6_phase <= max_f32_ftz_unit_copy6_phase ? (max_f32_ftz_unit_copy6_phase - 1'd1) : (max_f32_ftz_unit_copy6_phase + 1'd1);
             max_f32_ftz_unit_copy7_phase <= max_f32_ftz_unit_copy7_phase ? (max_f32_ftz_unit_copy7_phase - 1'd1) : (max_f32_ftz_unit_copy7_phase + 1'd1);
             max_f32_ftz_unit_copy8_phase <= max_f32_ftz_unit_copy8_phase ? (max_f32_ftz_unit_copy8_phase - 1'd1) : (max_f32_ftz_unit_copy8_phase + 1'd1);
-            lt_f32_ftz_unit_phase <= lt_f32_ftz_unit_phase ? (lt_f32_ftz_unit_phase - 1'd1) : (lt_f32_ftz_unit_phase + 1'd1);
-            lt_f32_ftz_unit_copy2_phase <= lt_f32_ftz_unit_copy2_phase ? (lt_f32_ftz_unit_copy2_phase - 1'd1) : (lt_f32_ftz_unit_copy2_phase + 1'd1);
-            lt_f32_ftz_unit_copy3_phase <= lt_f32_ftz_unit_copy3_phase ? (lt_f32_ftz_unit_copy3_phase - 1'd1) : (lt_f32_ftz_unit_copy3_phase + 1'd1);
-            lt_f32_ftz_unit_copy4_phase <= lt_f32_ftz_unit_copy4_phase ? (lt_f32_ftz_unit_copy4_phase - 1'd1) : (lt_f32_ftz_unit_copy4_phase + 1'd1);
             add_f32_ftz_unit_phase <= add_f32_ftz_unit_phase ? (add_f32_ftz_unit_phase - 1'd1) : (add_f32_ftz_unit_phase + 1'd1);
             add_f32_ftz_unit_copy2_phase <= add_f32_ftz_unit_copy2_phase ? (add_f32_ftz_unit_copy2_phase - 1'd1) : (add_f32_ftz_unit_copy2_phase + 1'd1);
             add_f32_ftz_unit_copy3_phase <= add_f32_ftz_unit_copy3_phase ? (add_f32_ftz_unit_copy3_phase - 1'd1) : (add_f32_ftz_unit_copy3_phase + 1'd1);
@@ -9827,16 +9662,6 @@ module splat_setup (
             add_f32_ftz_unit_copy15_phase <= add_f32_ftz_unit_copy15_phase ? (add_f32_ftz_unit_copy15_phase - 1'd1) : (add_f32_ftz_unit_copy15_phase + 1'd1);
             add_f32_ftz_unit_copy16_phase <= add_f32_ftz_unit_copy16_phase ? (add_f32_ftz_unit_copy16_phase - 1'd1) : (add_f32_ftz_unit_copy16_phase + 1'd1);
             add_f32_ftz_unit_copy17_phase <= add_f32_ftz_unit_copy17_phase ? (add_f32_ftz_unit_copy17_phase - 1'd1) : (add_f32_ftz_unit_copy17_phase + 1'd1);
-            add_f32_ftz_unit_copy18_phase <= add_f32_ftz_unit_copy18_phase ? (add_f32_ftz_unit_copy18_phase - 1'd1) : (add_f32_ftz_unit_copy18_phase + 1'd1);
-            add_f32_ftz_unit_copy19_phase <= add_f32_ftz_unit_copy19_phase ? (add_f32_ftz_unit_copy19_phase - 1'd1) : (add_f32_ftz_unit_copy19_phase + 1'd1);
-            add_f32_ftz_unit_copy20_phase <= add_f32_ftz_unit_copy20_phase ? (add_f32_ftz_unit_copy20_phase - 1'd1) : (add_f32_ftz_unit_copy20_phase + 1'd1);
-            add_f32_ftz_unit_copy21_phase <= add_f32_ftz_unit_copy21_phase ? (add_f32_ftz_unit_copy21_phase - 1'd1) : (add_f32_ftz_unit_copy21_phase + 1'd1);
-            add_f32_ftz_unit_copy22_phase <= add_f32_ftz_unit_copy22_phase ? (add_f32_ftz_unit_copy22_phase - 1'd1) : (add_f32_ftz_unit_copy22_phase + 1'd1);
-            add_f32_ftz_unit_copy23_phase <= add_f32_ftz_unit_copy23_phase ? (add_f32_ftz_unit_copy23_phase - 1'd1) : (add_f32_ftz_unit_copy23_phase + 1'd1);
-            add_f32_ftz_unit_copy24_phase <= add_f32_ftz_unit_copy24_phase ? (add_f32_ftz_unit_copy24_phase - 1'd1) : (add_f32_ftz_unit_copy24_phase + 1'd1);
-            add_f32_ftz_unit_copy25_phase <= add_f32_ftz_unit_copy25_phase ? (add_f32_ftz_unit_copy25_phase - 1'd1) : (add_f32_ftz_unit_copy25_phase + 1'd1);
-            add_f32_ftz_unit_copy26_phase <= add_f32_ftz_unit_copy26_phase ? (add_f32_ftz_unit_copy26_phase - 1'd1) : (add_f32_ftz_unit_copy26_phase + 1'd1);
-            add_f32_ftz_unit_copy27_phase <= add_f32_ftz_unit_copy27_phase ? (add_f32_ftz_unit_copy27_phase - 1'd1) : (add_f32_ftz_unit_copy27_phase + 1'd1);
             recip_f32_ftz_unit_phase <= recip_f32_ftz_unit_phase ? (recip_f32_ftz_unit_phase - 1'd1) : (recip_f32_ftz_unit_phase + 1'd1);
             mul_f32_ftz_unit_phase <= mul_f32_ftz_unit_phase ? (mul_f32_ftz_unit_phase - 1'd1) : (mul_f32_ftz_unit_phase + 1'd1);
             mul_f32_ftz_unit_copy2_phase <= mul_f32_ftz_unit_copy2_phase ? (mul_f32_ftz_unit_copy2_phase - 1'd1) : (mul_f32_ftz_unit_copy2_phase + 1'd1);
@@ -9851,27 +9676,18 @@ module splat_setup (
             mul_f32_ftz_unit_copy11_phase <= mul_f32_ftz_unit_copy11_phase ? (mul_f32_ftz_unit_copy11_phase - 1'd1) : (mul_f32_ftz_unit_copy11_phase + 1'd1);
             mul_f32_ftz_unit_copy12_phase <= mul_f32_ftz_unit_copy12_phase ? (mul_f32_ftz_unit_copy12_phase - 1'd1) : (mul_f32_ftz_unit_copy12_phase + 1'd1);
             mul_f32_ftz_unit_copy13_phase <= mul_f32_ftz_unit_copy13_phase ? (mul_f32_ftz_unit_copy13_phase - 1'd1) : (mul_f32_ftz_unit_copy13_phase + 1'd1);
-            mul_f32_ftz_unit_copy14_phase <= mul_f32_ftz_unit_copy14_phase ? (mul_f32_ftz_unit_copy14_phase - 1'd1) : (mul_f32_ftz_unit_copy14_phase + 1'd1);
-            mul_f32_ftz_unit_copy15_phase <= mul_f32_ftz_unit_copy15_phase ? (mul_f32_ftz_unit_copy15_phase - 1'd1) : (mul_f32_ftz_unit_copy15_phase + 1'd1);
-            mul_f32_ftz_unit_copy16_phase <= mul_f32_ftz_unit_copy16_phase ? (mul_f32_ftz_unit_copy16_phase - 1'd1) : (mul_f32_ftz_unit_copy16_phase + 1'd1);
-            mul_f32_ftz_unit_copy17_phase <= mul_f32_ftz_unit_copy17_phase ? (mul_f32_ftz_unit_copy17_phase - 1'd1) : (mul_f32_ftz_unit_copy17_phase + 1'd1);
-            mul_f32_ftz_unit_copy18_phase <= mul_f32_ftz_unit_copy18_phase ? (mul_f32_ftz_unit_copy18_phase - 1'd1) : (mul_f32_ftz_unit_copy18_phase + 1'd1);
-            mul_f32_ftz_unit_copy19_phase <= mul_f32_ftz_unit_copy19_phase ? (mul_f32_ftz_unit_copy19_phase - 1'd1) : (mul_f32_ftz_unit_copy19_phase + 1'd1);
-            mul_f32_ftz_unit_copy20_phase <= mul_f32_ftz_unit_copy20_phase ? (mul_f32_ftz_unit_copy20_phase - 1'd1) : (mul_f32_ftz_unit_copy20_phase + 1'd1);
-            mul_f32_ftz_unit_copy21_phase <= mul_f32_ftz_unit_copy21_phase ? (mul_f32_ftz_unit_copy21_phase - 1'd1) : (mul_f32_ftz_unit_copy21_phase + 1'd1);
-            mul_f32_ftz_unit_copy22_phase <= mul_f32_ftz_unit_copy22_phase ? (mul_f32_ftz_unit_copy22_phase - 1'd1) : (mul_f32_ftz_unit_copy22_phase + 1'd1);
-            mul_f32_ftz_unit_copy23_phase <= mul_f32_ftz_unit_copy23_phase ? (mul_f32_ftz_unit_copy23_phase - 1'd1) : (mul_f32_ftz_unit_copy23_phase + 1'd1);
-            mul_f32_ftz_unit_copy24_phase <= mul_f32_ftz_unit_copy24_phase ? (mul_f32_ftz_unit_copy24_phase - 1'd1) : (mul_f32_ftz_unit_copy24_phase + 1'd1);
-            mul_f32_ftz_unit_copy25_phase <= mul_f32_ftz_unit_copy25_phase ? (mul_f32_ftz_unit_copy25_phase - 1'd1) : (mul_f32_ftz_unit_copy25_phase + 1'd1);
-            mul_f32_ftz_unit_copy26_phase <= mul_f32_ftz_unit_copy26_phase ? (mul_f32_ftz_unit_copy26_phase - 1'd1) : (mul_f32_ftz_unit_copy26_phase + 1'd1);
-            mul_f32_ftz_unit_copy27_phase <= mul_f32_ftz_unit_copy27_phase ? (mul_f32_ftz_unit_copy27_phase - 1'd1) : (mul_f32_ftz_unit_copy27_phase + 1'd1);
-            mul_f32_ftz_unit_copy28_phase <= mul_f32_ftz_unit_copy28_phase ? (mul_f32_ftz_unit_copy28_phase - 1'd1) : (mul_f32_ftz_unit_copy28_phase + 1'd1);
-            mul_f32_ftz_unit_copy29_phase <= mul_f32_ftz_unit_copy29_phase ? (mul_f32_ftz_unit_copy29_phase - 1'd1) : (mul_f32_ftz_unit_copy29_phase + 1'd1);
-            mul_f32_ftz_unit_copy30_phase <= mul_f32_ftz_unit_copy30_phase ? (mul_f32_ftz_unit_copy30_phase - 1'd1) : (mul_f32_ftz_unit_copy30_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_phase <= mul_mul_add_f32_ftz_unit_phase ? (mul_mul_add_f32_ftz_unit_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy2_phase <= mul_mul_add_f32_ftz_unit_copy2_phase ? (mul_mul_add_f32_ftz_unit_copy2_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy2_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy3_phase <= mul_mul_add_f32_ftz_unit_copy3_phase ? (mul_mul_add_f32_ftz_unit_copy3_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy3_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy4_phase <= mul_mul_add_f32_ftz_unit_copy4_phase ? (mul_mul_add_f32_ftz_unit_copy4_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy4_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy5_phase <= mul_mul_add_f32_ftz_unit_copy5_phase ? (mul_mul_add_f32_ftz_unit_copy5_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy5_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy6_phase <= mul_mul_add_f32_ftz_unit_copy6_phase ? (mul_mul_add_f32_ftz_unit_copy6_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy6_phase + 1'd1);
+            mul_mul_add_f32_ftz_unit_copy7_phase <= mul_mul_add_f32_ftz_unit_copy7_phase ? (mul_mul_add_f32_ftz_unit_copy7_phase - 1'd1) : (mul_mul_add_f32_ftz_unit_copy7_phase + 1'd1);
+            mul_add_f32_ftz_unit_phase <= mul_add_f32_ftz_unit_phase ? (mul_add_f32_ftz_unit_phase - 1'd1) : (mul_add_f32_ftz_unit_phase + 1'd1);
+            mul_add_f32_ftz_unit_copy2_phase <= mul_add_f32_ftz_unit_copy2_phase ? (mul_add_f32_ftz_unit_copy2_phase - 1'd1) : (mul_add_f32_ftz_unit_copy2_phase + 1'd1);
+            mul_add_f32_ftz_unit_copy3_phase <= mul_add_f32_ftz_unit_copy3_phase ? (mul_add_f32_ftz_unit_copy3_phase - 1'd1) : (mul_add_f32_ftz_unit_copy3_phase + 1'd1);
             sqrt_f32_ftz_unit_phase <= sqrt_f32_ftz_unit_phase ? (sqrt_f32_ftz_unit_phase - 1'd1) : (sqrt_f32_ftz_unit_phase + 1'd1);
             sqrt_f32_ftz_unit_copy2_phase <= sqrt_f32_ftz_unit_copy2_phase ? (sqrt_f32_ftz_unit_copy2_phase - 1'd1) : (sqrt_f32_ftz_unit_copy2_phase + 1'd1);
-            le_f32_ftz_unit_phase <= le_f32_ftz_unit_phase ? (le_f32_ftz_unit_phase - 1'd1) : (le_f32_ftz_unit_phase + 1'd1);
-            le_f32_ftz_unit_copy2_phase <= le_f32_ftz_unit_copy2_phase ? (le_f32_ftz_unit_copy2_phase - 1'd1) : (le_f32_ftz_unit_copy2_phase + 1'd1);
             min_f32_ftz_unit_phase <= min_f32_ftz_unit_phase ? (min_f32_ftz_unit_phase - 1'd1) : (min_f32_ftz_unit_phase + 1'd1);
             min_f32_ftz_unit_copy2_phase <= min_f32_ftz_unit_copy2_phase ? (min_f32_ftz_unit_copy2_phase - 1'd1) : (min_f32_ftz_unit_copy2_phase + 1'd1);
             min_f32_ftz_unit_copy3_phase <= min_f32_ftz_unit_copy3_phase ? (min_f32_ftz_unit_copy3_phase - 1'd1) : (min_f32_ftz_unit_copy3_phase + 1'd1);
@@ -9880,869 +9696,819 @@ module splat_setup (
             to_fixed_f32_ftz_u23q8_unit_phase <= to_fixed_f32_ftz_u23q8_unit_phase ? (to_fixed_f32_ftz_u23q8_unit_phase - 1'd1) : (to_fixed_f32_ftz_u23q8_unit_phase + 1'd1);
             to_fixed_f32_ftz_s22q8_unit_phase <= to_fixed_f32_ftz_s22q8_unit_phase ? (to_fixed_f32_ftz_s22q8_unit_phase - 1'd1) : (to_fixed_f32_ftz_s22q8_unit_phase + 1'd1);
             to_fixed_f32_ftz_u24q24_unit_phase <= to_fixed_f32_ftz_u24q24_unit_phase ? (to_fixed_f32_ftz_u24q24_unit_phase - 1'd1) : (to_fixed_f32_ftz_u24q24_unit_phase + 1'd1);
-            phases_45 <= {phases_45[0], phases_45[1]};
+            phases_38 <= {phases_38[0], phases_38[1]};
             left <= out_valid & out_ready;
-            dropped <= in_flight_94_and_phases_38_0 & ~end_or_visible;
+            dropped <= in_flight_92_and_phases_36_0 & ~end_or_visible;
             if (phases_1[0]) begin
-                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-                delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+                delay_32_from_0_pointer <= (delay_32_from_0_pointer == 5'd30) ? (delay_32_from_0_pointer - 5'd30) : (delay_32_from_0_pointer + 5'd1);
+                delay_36_from_0_pointer <= (delay_36_from_0_pointer == 6'd34) ? (delay_36_from_0_pointer - 6'd34) : (delay_36_from_0_pointer + 6'd1);
             end
             if (phases_2[0]) begin
                 delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
-                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
-                delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
-                delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+                delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
+                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+                delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
             end
             if (phases_3[0]) begin
-                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+                delay_29_from_0_pointer <= (delay_29_from_0_pointer == 5'd27) ? (delay_29_from_0_pointer - 5'd27) : (delay_29_from_0_pointer + 5'd1);
             end
             if (phases_4[0]) begin
-                delay_11_from_0_copy2_pointer <= (delay_11_from_0_copy2_pointer == 4'd9) ? (delay_11_from_0_copy2_pointer - 4'd9) : (delay_11_from_0_copy2_pointer + 4'd1);
-                delay_35_from_0_pointer <= (delay_35_from_0_pointer == 6'd33) ? (delay_35_from_0_pointer - 6'd33) : (delay_35_from_0_pointer + 6'd1);
-                delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
+                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_56_from_0_pointer <= (delay_56_from_0_pointer == 6'd54) ? (delay_56_from_0_pointer - 6'd54) : (delay_56_from_0_pointer + 6'd1);
+                delay_63_from_0_pointer <= (delay_63_from_0_pointer == 6'd61) ? (delay_63_from_0_pointer - 6'd61) : (delay_63_from_0_pointer + 6'd1);
             end
             if (phases_5[0]) begin
-                delay_11_from_0_copy3_pointer <= (delay_11_from_0_copy3_pointer == 4'd9) ? (delay_11_from_0_copy3_pointer - 4'd9) : (delay_11_from_0_copy3_pointer + 4'd1);
-                delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
-                delay_57_from_0_pointer <= (delay_57_from_0_pointer == 6'd55) ? (delay_57_from_0_pointer - 6'd55) : (delay_57_from_0_pointer + 6'd1);
+                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
             end
             if (phases_6[0]) begin
-                delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
-                delay_17_from_0_copy3_pointer <= (delay_17_from_0_copy3_pointer == 4'd15) ? (delay_17_from_0_copy3_pointer - 4'd15) : (delay_17_from_0_copy3_pointer + 4'd1);
-                delay_55_from_0_pointer <= (delay_55_from_0_pointer == 6'd53) ? (delay_55_from_0_pointer - 6'd53) : (delay_55_from_0_pointer + 6'd1);
-                delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
+                delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+                delay_51_from_0_copy2_pointer <= (delay_51_from_0_copy2_pointer == 6'd49) ? (delay_51_from_0_copy2_pointer - 6'd49) : (delay_51_from_0_copy2_pointer + 6'd1);
             end
             if (phases_7[0]) begin
-                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
+                delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
+                delay_93_from_0_copy3_pointer <= (delay_93_from_0_copy3_pointer == 7'd91) ? (delay_93_from_0_copy3_pointer - 7'd91) : (delay_93_from_0_copy3_pointer + 7'd1);
             end
             if (phases_8[0]) begin
-                delay_17_from_0_copy2_pointer <= (delay_17_from_0_copy2_pointer == 4'd15) ? (delay_17_from_0_copy2_pointer - 4'd15) : (delay_17_from_0_copy2_pointer + 4'd1);
-            end
-            if (phases_9[0]) begin
-                delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-                delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
-            end
-            if (phases_10[0]) begin
                 delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
             end
+            if (phases_9[0]) begin
+                delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
+            end
+            if (phases_10[0]) begin
+                delay_43_from_0_pointer <= (delay_43_from_0_pointer == 6'd41) ? (delay_43_from_0_pointer - 6'd41) : (delay_43_from_0_pointer + 6'd1);
+            end
             if (phases_11[0]) begin
-                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+                delay_50_from_0_pointer <= (delay_50_from_0_pointer == 6'd48) ? (delay_50_from_0_pointer - 6'd48) : (delay_50_from_0_pointer + 6'd1);
             end
             if (phases_12[0]) begin
-                delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
-                delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
-                delay_95_from_0_copy3_pointer <= (delay_95_from_0_copy3_pointer == 7'd93) ? (delay_95_from_0_copy3_pointer - 7'd93) : (delay_95_from_0_copy3_pointer + 7'd1);
+                delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
             end
             if (phases_13[0]) begin
-                delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
+                delay_93_from_0_pointer <= (delay_93_from_0_pointer == 7'd91) ? (delay_93_from_0_pointer - 7'd91) : (delay_93_from_0_pointer + 7'd1);
             end
             if (phases_14[0]) begin
-                delay_95_from_0_pointer <= (delay_95_from_0_pointer == 7'd93) ? (delay_95_from_0_pointer - 7'd93) : (delay_95_from_0_pointer + 7'd1);
-            end
-            if (phases_15[0]) begin
-                delay_95_from_0_copy2_pointer <= (delay_95_from_0_copy2_pointer == 7'd93) ? (delay_95_from_0_copy2_pointer - 7'd93) : (delay_95_from_0_copy2_pointer + 7'd1);
+                delay_93_from_0_copy2_pointer <= (delay_93_from_0_copy2_pointer == 7'd91) ? (delay_93_from_0_copy2_pointer - 7'd91) : (delay_93_from_0_copy2_pointer + 7'd1);
             end
             if (phases_1[1]) begin
-                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
+                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
+                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
                 delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
-                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
-                delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
-                delay_14_from_1_pointer <= (delay_14_from_1_pointer == 4'd12) ? (delay_14_from_1_pointer - 4'd12) : (delay_14_from_1_pointer + 4'd1);
-                delay_32_from_1_pointer <= (delay_32_from_1_pointer == 5'd30) ? (delay_32_from_1_pointer - 5'd30) : (delay_32_from_1_pointer + 5'd1);
-                delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
-                delay_51_from_1_pointer <= (delay_51_from_1_pointer == 6'd49) ? (delay_51_from_1_pointer - 6'd49) : (delay_51_from_1_pointer + 6'd1);
+                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_36_from_1_pointer <= (delay_36_from_1_pointer == 6'd34) ? (delay_36_from_1_pointer - 6'd34) : (delay_36_from_1_pointer + 6'd1);
             end
             if (phases_2[1]) begin
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
-                delay_10_from_1_copy3_pointer <= (delay_10_from_1_copy3_pointer == 4'd8) ? (delay_10_from_1_copy3_pointer - 4'd8) : (delay_10_from_1_copy3_pointer + 4'd1);
-                delay_86_from_1_pointer <= (delay_86_from_1_pointer == 7'd84) ? (delay_86_from_1_pointer - 7'd84) : (delay_86_from_1_pointer + 7'd1);
+                delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
+                delay_18_from_1_pointer <= (delay_18_from_1_pointer == 5'd16) ? (delay_18_from_1_pointer - 5'd16) : (delay_18_from_1_pointer + 5'd1);
             end
             if (phases_3[1]) begin
-                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
+                delay_24_from_1_pointer <= (delay_24_from_1_pointer == 5'd22) ? (delay_24_from_1_pointer - 5'd22) : (delay_24_from_1_pointer + 5'd1);
             end
             if (phases_4[1]) begin
-                delay_10_from_1_copy2_pointer <= (delay_10_from_1_copy2_pointer == 4'd8) ? (delay_10_from_1_copy2_pointer - 4'd8) : (delay_10_from_1_copy2_pointer + 4'd1);
+                delay_11_from_1_copy2_pointer <= (delay_11_from_1_copy2_pointer == 4'd9) ? (delay_11_from_1_copy2_pointer - 4'd9) : (delay_11_from_1_copy2_pointer + 4'd1);
+                delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
+                delay_54_from_1_pointer <= (delay_54_from_1_pointer == 6'd52) ? (delay_54_from_1_pointer - 6'd52) : (delay_54_from_1_pointer + 6'd1);
             end
             if (phases_5[1]) begin
-                delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
-                delay_26_from_1_pointer <= (delay_26_from_1_pointer == 5'd24) ? (delay_26_from_1_pointer - 5'd24) : (delay_26_from_1_pointer + 5'd1);
-                delay_31_from_1_pointer <= (delay_31_from_1_pointer == 5'd29) ? (delay_31_from_1_pointer - 5'd29) : (delay_31_from_1_pointer + 5'd1);
+                delay_13_from_1_pointer <= (delay_13_from_1_pointer == 4'd11) ? (delay_13_from_1_pointer - 4'd11) : (delay_13_from_1_pointer + 4'd1);
+                delay_14_from_1_copy2_pointer <= (delay_14_from_1_copy2_pointer == 4'd12) ? (delay_14_from_1_copy2_pointer - 4'd12) : (delay_14_from_1_copy2_pointer + 4'd1);
+                delay_50_from_1_pointer <= (delay_50_from_1_pointer == 6'd48) ? (delay_50_from_1_pointer - 6'd48) : (delay_50_from_1_pointer + 6'd1);
+                delay_85_from_1_pointer <= (delay_85_from_1_pointer == 7'd83) ? (delay_85_from_1_pointer - 7'd83) : (delay_85_from_1_pointer + 7'd1);
             end
             if (phases_6[1]) begin
-                delay_41_from_1_pointer <= (delay_41_from_1_pointer == 6'd39) ? (delay_41_from_1_pointer - 6'd39) : (delay_41_from_1_pointer + 6'd1);
-                delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+                delay_14_from_1_pointer <= (delay_14_from_1_pointer == 4'd12) ? (delay_14_from_1_pointer - 4'd12) : (delay_14_from_1_pointer + 4'd1);
             end
             if (phases_7[1]) begin
-                delay_45_from_1_pointer <= (delay_45_from_1_pointer == 6'd43) ? (delay_45_from_1_pointer - 6'd43) : (delay_45_from_1_pointer + 6'd1);
-                delay_52_from_1_pointer <= (delay_52_from_1_pointer == 6'd50) ? (delay_52_from_1_pointer - 6'd50) : (delay_52_from_1_pointer + 6'd1);
+                delay_16_from_1_pointer <= (delay_16_from_1_pointer == 4'd14) ? (delay_16_from_1_pointer - 4'd14) : (delay_16_from_1_pointer + 4'd1);
             end
             if (phases_8[1]) begin
-                delay_53_from_1_pointer <= (delay_53_from_1_pointer == 6'd51) ? (delay_53_from_1_pointer - 6'd51) : (delay_53_from_1_pointer + 6'd1);
+                delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
             end
             if (phases_9[1]) begin
-                delay_53_from_1_copy2_pointer <= (delay_53_from_1_copy2_pointer == 6'd51) ? (delay_53_from_1_copy2_pointer - 6'd51) : (delay_53_from_1_copy2_pointer + 6'd1);
-                delay_61_from_1_pointer <= (delay_61_from_1_pointer == 6'd59) ? (delay_61_from_1_pointer - 6'd59) : (delay_61_from_1_pointer + 6'd1);
-                delay_62_from_1_pointer <= (delay_62_from_1_pointer == 6'd60) ? (delay_62_from_1_pointer - 6'd60) : (delay_62_from_1_pointer + 6'd1);
+                delay_25_from_1_pointer <= (delay_25_from_1_pointer == 5'd23) ? (delay_25_from_1_pointer - 5'd23) : (delay_25_from_1_pointer + 5'd1);
+                delay_27_from_1_pointer <= (delay_27_from_1_pointer == 5'd25) ? (delay_27_from_1_pointer - 5'd25) : (delay_27_from_1_pointer + 5'd1);
             end
-            if (phases_45[0]) in_flight <= {in_flight[93:0], in_valid_and_in_ready};
+            if (phases_10[1]) begin
+                delay_30_from_1_pointer <= (delay_30_from_1_pointer == 5'd28) ? (delay_30_from_1_pointer - 5'd28) : (delay_30_from_1_pointer + 5'd1);
+                delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+            end
+            if (phases_11[1]) begin
+                delay_60_from_1_pointer <= (delay_60_from_1_pointer == 6'd58) ? (delay_60_from_1_pointer - 6'd58) : (delay_60_from_1_pointer + 6'd1);
+                delay_61_from_1_pointer <= (delay_61_from_1_pointer == 6'd59) ? (delay_61_from_1_pointer - 6'd59) : (delay_61_from_1_pointer + 6'd1);
+            end
+            if (phases_38[0]) in_flight <= {in_flight[91:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (phases_11[0]) begin
+        if (phases_8[0]) begin
             center_x_d1 <= in_center_x;
-            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
-            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[31];
-            lowered_chosen_sign_d2_copy4 <= lowered_chosen_sign_d1_copy4;
+            lowered_chosen_bits_d3 <= lowered_chosen_bits_d2;
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_bits_d1_copy3};
+            b_x_inverted_d1 <= b_x_inverted;
+            b_x_inverted_d2 <= b_x_inverted_d1;
+            b_x_inverted_d3 <= b_x_inverted_d2;
+            b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
+            b_y_inverted_d1 <= b_y_inverted;
         end
-        if (phases_13[0]) begin
+        if (phases_9[0]) begin
             center_x_d2 <= center_x_d1;
-            lowered_d1 <= lowered;
-            lowered_d27 <= delay_25_from_0_out;
-            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
-            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[31];
-            lowered_chosen_sign_d2_copy5 <= lowered_chosen_sign_d1_copy5;
+            lowered_chosen_bits_d2_copy2 <= lowered_chosen_bits_d1_copy4;
+            lowered_chosen_bits_d3_copy2 <= lowered_chosen_bits_d2_copy2;
+            b_y_inverted_d2 <= b_y_inverted_d1;
+            b_y_inverted_d3 <= b_y_inverted_d2;
+            b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
+            beta_inverted_d1 <= beta_inverted;
         end
-        if (phases_16[0]) begin
+        if (phases_10[0]) begin
             center_x_d3 <= center_x_d2;
+            lowered_greater_d1 <= lowered_greater;
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_bits_d1_copy5};
+            beta_inverted_d2 <= beta_inverted_d1;
+            beta_inverted_d3 <= beta_inverted_d2;
+            beta_both_d1 <= beta_both;
+            beyond_near_and_not_turned_d15 <= beyond_near_and_not_turned_d14;
+            beyond_near_and_not_turned_d16 <= beyond_near_and_not_turned_d15;
+            beyond_near_and_not_turned_d17 <= beyond_near_and_not_turned_d16;
+        end
+        if (phases_15[0]) begin
             center_y_d1 <= in_center_y;
             center_y_d2 <= center_y_d1;
             center_y_d3 <= center_y_d2;
-        end
-        if (phases_17[0]) begin
             center_z_d1 <= in_center_z;
+        end
+        if (phases_16[0]) begin
             center_z_d2 <= center_z_d1;
             center_z_d3 <= center_z_d2;
+            center_z_d4 <= center_z_d3;
             tangent1_x_d1 <= in_tangent1_x;
         end
-        if (phases_18[0]) begin
+        if (phases_17[0]) begin
             tangent1_x_d2 <= tangent1_x_d1;
             tangent1_x_d3 <= tangent1_x_d2;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_y_d2 <= tangent1_y_d1;
         end
-        if (phases_19[0]) begin
+        if (phases_18[0]) begin
             tangent1_y_d3 <= tangent1_y_d2;
             tangent1_z_d1 <= in_tangent1_z;
             tangent1_z_d2 <= tangent1_z_d1;
             tangent1_z_d3 <= tangent1_z_d2;
         end
-        if (phases_20[0]) begin
+        if (phases_19[0]) begin
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_x_d2 <= tangent2_x_d1;
             tangent2_x_d3 <= tangent2_x_d2;
             tangent2_y_d1 <= in_tangent2_y;
         end
-        if (phases_21[0]) begin
+        if (phases_20[0]) begin
             tangent2_y_d2 <= tangent2_y_d1;
             tangent2_y_d3 <= tangent2_y_d2;
             tangent2_z_d1 <= in_tangent2_z;
             tangent2_z_d2 <= tangent2_z_d1;
         end
-        if (phases_22[0]) begin
+        if (phases_21[0]) begin
             tangent2_z_d3 <= tangent2_z_d2;
-            lowered_chosen_bits_d3_copy7 <= lowered_chosen_bits_d2_copy7;
-            lowered_chosen_bits_d4 <= lowered_chosen_bits_d3_copy7;
-            lowered_chosen_bits_d1_copy15 <= lowered_chosen_copy7[22:0];
-            lowered_chosen_bits_d2_copy8 <= lowered_chosen_bits_d1_copy15;
-            lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[31];
-            lowered_chosen_sign_d2_copy6 <= lowered_chosen_sign_d1_copy6;
-            lowered_chosen_sign_d3_copy6 <= lowered_chosen_sign_d2_copy6;
-            lowered_chosen_sign_d4_copy6 <= lowered_chosen_sign_d3_copy6;
-        end
-        if (phases_2[1]) begin
-            first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
-            first_x_inverted_d1 <= first_x_inverted;
-            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
-            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
-        end
-        if (phases_3[1]) begin
-            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
-            first_x_greater_sign_d1 <= max_f32_ftz_unit_y[31];
-            first_y_in_order_d1 <= first_y_in_order;
-            first_y_inverted_d1 <= first_y_inverted;
-            first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
-            first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
-        end
-        if (phases_1[1]) first_x_in_order_d1 <= first_x_in_order;
-        if (phases_1[0]) begin
-            first_x_both_d1 <= first_x_both_copy3;
-            first_x_either_d1 <= first_x_either;
-            first_y_both_d1 <= first_y_both_copy3;
-            first_y_either_d1 <= first_y_either;
-        end
-        if (phases_4[1]) first_x_greater_bits_d1_copy2 <= max_f32_ftz_unit_y[22:0];
-        if (phases_10[1]) begin
-            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
-            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
-            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
-            lowered_chosen_bits_d2 <= lowered_chosen_bits_d1_copy2;
-            lowered_chosen_bits_d3 <= lowered_chosen_bits_d2;
-            a_x_chosen_d1 <= a_x_chosen[7:0];
-            a_y_inverted_d3 <= a_y_inverted_d2;
-            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
-        end
-        if (phases_5[1]) begin
-            first_y_greater_bits_d1 <= first_y_greater_bits_d1_bits;
-            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
-            first_y_greater_sign_d1 <= max_f32_ftz_unit_copy2_y[31];
-            zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
-            not_reaches_near_same_d1 <= not_reaches_near_same;
-            reaches_near_same_d1 <= reaches_near_same_copy2;
-        end
-        if (phases_8[1]) begin
-            first_y_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy2_y[22:0];
-            a_x_inverted_d3 <= a_x_inverted_d2;
-            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
-            a_y_inverted_d1 <= a_y_inverted;
-        end
-        if (phases_6[1]) begin
-            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
-            reaches_near_in_order_d1 <= reaches_near_in_order;
-            reaches_near_greater_sign_d1 <= max_f32_ftz_unit_copy3_y[31];
-            swapped_d1 <= lt_f32_ftz_unit_copy2_y;
-            swapped_d2 <= swapped_d1;
-            turned_in_order_d1 <= turned_in_order;
-            turned_either_d1 <= turned_either;
-            turned_either_d2 <= turned_either_d1;
-            a_x_inverted_d1 <= a_x_inverted;
-            a_x_inverted_d2 <= a_x_inverted_d1;
-        end
-        if (phases_7[1]) begin
-            reaches_near_sum_d1 <= reaches_near_sum;
-            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_bits_d1};
-        end
-        if (phases_2[0]) begin
-            reaches_near_both_d1 <= reaches_near_both_copy3;
-            reaches_near_either_d1 <= reaches_near_either;
-            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
-        end
-        if (phases_9[1]) begin
-            reaches_near_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy3_y[22:0];
-            a_y_inverted_d2 <= a_y_inverted_d1;
-        end
-        if (phases_6[0]) begin
-            turned_greater_d1 <= turned_greater;
-            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[31];
-            lowered_chosen_sign_d2_copy2 <= lowered_chosen_sign_d1_copy2;
-            lowered_chosen_sign_d3_copy2 <= lowered_chosen_sign_d2_copy2;
-            lowered_chosen_sign_d4_copy2 <= lowered_chosen_sign_d3_copy2;
-            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
-        end
-        if (phases_7[0]) begin
-            center_z_bits_plus_10_d1 <= center_z_bits_plus_10;
-            lowered_chosen_bits_d1 <= lowered_chosen_copy6[30:23];
-            lowered_chosen_bits_d1_copy3 <= lowered_chosen_copy7[30:23];
-        end
-        if (phases_11[1]) begin
-            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_bits_d1_copy3};
-            lowered_chosen_bits_d2_copy2 <= lowered_chosen_bits_d1_copy4;
-            lowered_chosen_bits_d3_copy2 <= lowered_chosen_bits_d2_copy2;
-            lowered_greater_d1 <= lowered_greater;
-            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_bits_d1_copy5};
-            lowered_chosen_bits_d2_copy3 <= lowered_chosen_bits_d1_copy6;
-            lowered_chosen_bits_d3_copy3 <= lowered_chosen_bits_d2_copy3;
-            lowered_chosen_bits_d1_copy8 <= {3'd0, lowered_chosen_bits_d1_copy7};
-            lowered_chosen_bits_d2_copy4 <= lowered_chosen_bits_d1_copy8;
-            lowered_chosen_bits_d3_copy4 <= lowered_chosen_bits_d2_copy4;
-            lowered_greater_d1_copy3 <= lowered_greater_copy3;
-            alpha_inverted_d1 <= alpha_inverted;
-            alpha_inverted_d2 <= alpha_inverted_d1;
-            alpha_inverted_d3 <= alpha_inverted_d2;
-            alpha_both_d1 <= alpha_both;
-            b_x_inverted_d1 <= b_x_inverted;
-            b_x_inverted_d2 <= b_x_inverted_d1;
-            b_x_inverted_d3 <= b_x_inverted_d2;
-        end
-        if (phases_8[0]) begin
-            lowered_chosen_bits_d1_copy5 <= lowered_chosen_copy8[30:23];
-            lowered_greater_d1_copy2 <= lowered_greater_copy2;
-            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy9[30:23];
-            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[31];
-        end
-        if (phases_9[0]) begin
-            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy10[30:23];
-            lowered_greater_d1_copy4 <= lowered_greater_copy4;
-            lowered_chosen_sign_d2_copy3 <= lowered_chosen_sign_d1_copy3;
-            lowered_chosen_sign_d3_copy3 <= lowered_chosen_sign_d2_copy3;
-            lowered_chosen_sign_d4_copy3 <= lowered_chosen_sign_d3_copy3;
-        end
-        if (phases_12[1]) begin
-            lowered_chosen_bits_d1_copy10 <= {3'd0, lowered_chosen_bits_d1_copy9};
-            lowered_chosen_bits_d2_copy5 <= lowered_chosen_bits_d1_copy10;
             lowered_chosen_bits_d3_copy5 <= lowered_chosen_bits_d2_copy5;
             lowered_chosen_bits_d1_copy12 <= {3'd0, lowered_chosen_bits_d1_copy11};
             lowered_chosen_bits_d2_copy6 <= lowered_chosen_bits_d1_copy12;
             lowered_chosen_bits_d3_copy6 <= lowered_chosen_bits_d2_copy6;
             lowered_greater_d1_copy5 <= lowered_greater_copy5;
-            a_y_chosen_d1 <= a_y_chosen[7:0];
-            alpha_chosen_d1 <= alpha_chosen[7:0];
-            b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
             b_x_chosen_d1 <= b_x_chosen[7:0];
-            b_y_inverted_d1 <= b_y_inverted;
-            b_y_inverted_d2 <= b_y_inverted_d1;
-            b_y_inverted_d3 <= b_y_inverted_d2;
-            b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
             b_y_chosen_d1 <= b_y_chosen[7:0];
-            beta_inverted_d1 <= beta_inverted;
-            beta_inverted_d2 <= beta_inverted_d1;
-            beta_inverted_d3 <= beta_inverted_d2;
-            beta_both_d1 <= beta_both;
             beta_chosen_d1 <= beta_chosen[7:0];
-            beyond_near_and_not_turned_d15 <= beyond_near_and_not_turned_d14;
-            beyond_near_and_not_turned_d16 <= beyond_near_and_not_turned_d15;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            b_y_sign_d1 <= b_y_d1[31];
         end
-        if (phases_10[0]) begin
-            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy11[30:23];
-            lowered_chosen_bits_d1_copy13 <= lowered_chosen_copy5[30:23];
-            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
-        end
-        if (phases_12[0]) begin
-            lowered_chosen_bits_plus_60_d2 <= lowered_chosen_bits_plus_60_d1;
-            lowered_chosen_sign_d3_copy4 <= lowered_chosen_sign_d2_copy4;
-            lowered_chosen_sign_d4_copy4 <= lowered_chosen_sign_d3_copy4;
-        end
-        if (phases_14[0]) begin
-            lowered_chosen_bits_d1_copy14 <= lowered_chosen_copy6[22:0];
-            lowered_chosen_sign_d3_copy5 <= lowered_chosen_sign_d2_copy5;
-        end
-        if (phases_15[0]) begin
-            lowered_chosen_bits_d2_copy7 <= lowered_chosen_bits_d1_copy14;
-            lowered_chosen_sign_d4_copy5 <= lowered_chosen_sign_d3_copy5;
-            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
-        end
-        if (phases_3[0]) begin
+        if (phases_6[1]) begin
+            first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
+            turned_d3 <= turned_d2;
+            turned_d4 <= turned_d3;
+            turned_d5 <= turned_d4;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
             lowered_chosen_sign_d1 <= lowered_chosen_copy6[31];
             lowered_chosen_sign_d2 <= lowered_chosen_sign_d1;
         end
-        if (phases_4[0]) begin
+        if (phases_1[1]) begin
+            first_x_in_order_d1 <= first_x_in_order;
+            first_x_inverted_d1 <= first_x_inverted;
+            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
+            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
+            first_x_greater_sign_d1 <= max_f32_ftz_unit_y[31];
+            first_y_in_order_d1 <= first_y_in_order;
+            first_y_inverted_d1 <= first_y_inverted;
+        end
+        if (phases_1[0]) begin
+            first_x_both_d1 <= first_x_both_copy3;
+            first_x_either_d1 <= first_x_either;
+            first_y_both_d1 <= first_y_both_copy3;
+            first_y_either_d1 <= first_y_either;
+            reaches_near_both_d1 <= reaches_near_both_copy3;
+        end
+        if (phases_7[1]) begin
+            first_x_greater_bits_d1_copy2 <= max_f32_ftz_unit_y[22:0];
             lowered_chosen_sign_d3 <= lowered_chosen_sign_d2;
             lowered_chosen_sign_d4 <= lowered_chosen_sign_d3;
+            lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[31];
         end
-        if (phases_5[0]) lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
-        if (phases_23[0]) begin
+        if (phases_11[1]) begin
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
+            first_y_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy2_y[22:0];
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[31];
+            lowered_chosen_sign_d2_copy4 <= lowered_chosen_sign_d1_copy4;
+            lowered_chosen_sign_d3_copy4 <= lowered_chosen_sign_d2_copy4;
+            lowered_chosen_sign_d4_copy4 <= lowered_chosen_sign_d3_copy4;
+            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[31];
+            lowered_chosen_sign_d2_copy5 <= lowered_chosen_sign_d1_copy5;
+        end
+        if (phases_8[1]) begin
+            first_y_greater_bits_d1 <= first_y_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
+            lowered_chosen_sign_d2_copy2 <= lowered_chosen_sign_d1_copy2;
+            lowered_chosen_sign_d3_copy2 <= lowered_chosen_sign_d2_copy2;
+            lowered_chosen_sign_d4_copy2 <= lowered_chosen_sign_d3_copy2;
+            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[31];
+        end
+        if (phases_2[1]) begin
+            first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
+            first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
+            first_y_greater_sign_d1 <= max_f32_ftz_unit_copy2_y[31];
+            zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
+        end
+        if (phases_12[1]) begin
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            reaches_near_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy3_y[22:0];
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            lowered_chosen_bits_d1_copy5 <= lowered_chosen_copy8[30:23];
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy9[30:23];
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy10[30:23];
+            lowered_chosen_sign_d3_copy5 <= lowered_chosen_sign_d2_copy5;
+            lowered_chosen_sign_d4_copy5 <= lowered_chosen_sign_d3_copy5;
+            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
+            lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[31];
+            lowered_chosen_sign_d2_copy6 <= lowered_chosen_sign_d1_copy6;
+            lowered_chosen_sign_d3_copy6 <= lowered_chosen_sign_d2_copy6;
+        end
+        if (phases_9[1]) begin
+            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
+            reaches_near_sum_d1 <= reaches_near_sum;
+        end
+        if (phases_4[1]) not_reaches_near_same_d1 <= not_reaches_near_same;
+        if (phases_5[1]) begin
+            reaches_near_same_d1 <= reaches_near_same_copy2;
+            reaches_near_in_order_d1 <= reaches_near_in_order;
+            reaches_near_greater_sign_d1 <= max_f32_ftz_unit_copy3_y[31];
+            turned_d1 <= turned;
+            turned_d2 <= turned_d1;
+        end
+        if (phases_2[0]) begin
+            reaches_near_either_d1 <= reaches_near_either;
+            swapped_d1 <= lt_f32_ftz_unit_copy2_y;
+            swapped_d2 <= swapped_d1;
+            turned_either_d1 <= turned_either;
+            turned_either_d2 <= turned_either_d1;
+            a_x_inverted_d1 <= a_x_inverted;
+        end
+        if (phases_5[0]) begin
+            turned_greater_d1 <= turned_greater;
+            center_z_bits_plus_10_d1 <= center_z_bits_plus_10;
+            a_y_inverted_d1 <= a_y_inverted;
+            a_y_inverted_d2 <= a_y_inverted_d1;
+            a_y_inverted_d3 <= a_y_inverted_d2;
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+            alpha_inverted_d1 <= alpha_inverted;
+        end
+        if (phases_10[1]) begin
+            lowered_chosen_bits_d1 <= lowered_chosen_copy6[30:23];
+            lowered_chosen_bits_d1_copy3 <= lowered_chosen_copy7[30:23];
+            lowered_chosen_sign_d2_copy3 <= lowered_chosen_sign_d1_copy3;
+            lowered_chosen_sign_d3_copy3 <= lowered_chosen_sign_d2_copy3;
+            lowered_chosen_sign_d4_copy3 <= lowered_chosen_sign_d3_copy3;
+            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
+        end
+        if (phases_6[0]) begin
+            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_bits_d1};
+            a_y_chosen_d1 <= a_y_chosen[7:0];
+            alpha_inverted_d2 <= alpha_inverted_d1;
+            alpha_inverted_d3 <= alpha_inverted_d2;
+        end
+        if (phases_7[0]) begin
+            lowered_chosen_bits_d2 <= lowered_chosen_bits_d1_copy2;
+            alpha_both_d1 <= alpha_both;
+            alpha_chosen_d1 <= alpha_chosen[7:0];
+        end
+        if (phases_11[0]) begin
+            lowered_chosen_bits_d2_copy3 <= lowered_chosen_bits_d1_copy6;
+            lowered_chosen_bits_d3_copy3 <= lowered_chosen_bits_d2_copy3;
+            sight_disc_out_d51 <= sight_disc_out_d50;
+            unit_delta_both_d1 <= unit_delta_both;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+        end
+        if (phases_12[0]) begin
+            lowered_chosen_bits_d1_copy8 <= {3'd0, lowered_chosen_bits_d1_copy7};
+            lowered_chosen_bits_d2_copy4 <= lowered_chosen_bits_d1_copy8;
+            a_x_sign_d1 <= a_x_d1[31];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_sign_d1 <= a_y_d1[31];
+        end
+        if (phases_13[0]) begin
+            lowered_chosen_bits_d3_copy4 <= lowered_chosen_bits_d2_copy4;
+            lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+        end
+        if (phases_14[0]) begin
+            lowered_chosen_bits_d1_copy10 <= {3'd0, lowered_chosen_bits_d1_copy9};
+            lowered_chosen_bits_d2_copy5 <= lowered_chosen_bits_d1_copy10;
+            b_x_sign_d1 <= b_x_d1[31];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+        end
+        if (phases_13[1]) begin
+            lowered_greater_d1_copy4 <= lowered_greater_copy4;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy11[30:23];
+            lowered_chosen_bits_d1_copy13 <= lowered_chosen_copy5[30:23];
+            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
+            lowered_chosen_bits_plus_60_d2 <= lowered_chosen_bits_plus_60_d1;
+            lowered_d1 <= lowered;
+            lowered_d26 <= delay_24_from_1_out;
+            lowered_d27 <= lowered_d26;
+            lowered_chosen_bits_d1_copy14 <= lowered_chosen_copy6[22:0];
+            lowered_chosen_bits_d2_copy7 <= lowered_chosen_bits_d1_copy14;
+        end
+        if (phases_3[0]) begin
+            a_x_inverted_d2 <= a_x_inverted_d1;
+            a_x_inverted_d3 <= a_x_inverted_d2;
+        end
+        if (phases_4[0]) begin
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+        end
+        if (phases_14[1]) begin
+            lowered_chosen_bits_d3_copy7 <= lowered_chosen_bits_d2_copy7;
+            lowered_chosen_bits_d4 <= lowered_chosen_bits_d3_copy7;
+            lowered_chosen_bits_d1_copy15 <= lowered_chosen_copy7[22:0];
+            lowered_chosen_bits_d2_copy8 <= lowered_chosen_bits_d1_copy15;
             lowered_chosen_bits_d3_copy8 <= lowered_chosen_bits_d2_copy8;
+            lowered_chosen_sign_d4_copy6 <= lowered_chosen_sign_d3_copy6;
+            not_turned_d1 <= not_turned;
+            zero_is_lowered_d1 <= zero_is_lowered;
+            whole_d43 <= whole_d42;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            ax_out_both_d1 <= ax_out_both;
+            ay_out_both_d1 <= ay_out_both;
+            bx_out_both_d1 <= bx_out_both;
+        end
+        if (phases_15[1]) begin
             lowered_chosen_bits_d4_copy2 <= lowered_chosen_bits_d3_copy8;
             lowered_chosen_bits_d1_copy16 <= lowered_chosen_copy8[22:0];
             lowered_chosen_bits_d2_copy9 <= lowered_chosen_bits_d1_copy16;
             lowered_chosen_bits_d3_copy9 <= lowered_chosen_bits_d2_copy9;
-            not_turned_d1 <= not_turned;
-            whole_d1 <= whole;
-            first_x_in_order_d1_copy3 <= lt_f32_ftz_unit_copy3_y;
-            unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
-            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-        end
-        if (phases_24[0]) begin
             lowered_chosen_bits_d4_copy3 <= lowered_chosen_bits_d3_copy9;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            by_out_both_d1 <= by_out_both;
+            delta_both_d1 <= delta_both;
+        end
+        if (phases_16[1]) begin
             lowered_chosen_bits_d1_copy17 <= lowered_chosen_copy9[22:0];
             lowered_chosen_bits_d2_copy10 <= lowered_chosen_bits_d1_copy17;
             lowered_chosen_bits_d3_copy10 <= lowered_chosen_bits_d2_copy10;
             lowered_chosen_bits_d4_copy4 <= lowered_chosen_bits_d3_copy10;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            mx_both_d1 <= mx_both;
-            mx_both_d1_copy2 <= mx_both_copy2;
-            ax_out_both_d1 <= ax_out_both;
-        end
-        if (phases_25[0]) begin
             lowered_chosen_bits_d1_copy18 <= lowered_chosen_copy10[22:0];
+            a_x_bits_d11 <= a_x_bits_d10;
+            not_zero_is_mx_sum_bits_d1 <= not_zero_is_mx_sum_bits;
+            not_zero_is_mx_sum_bits_d2 <= not_zero_is_mx_sum_bits_d1;
+        end
+        if (phases_17[1]) begin
             lowered_chosen_bits_d2_copy11 <= lowered_chosen_bits_d1_copy18;
             lowered_chosen_bits_d3_copy11 <= lowered_chosen_bits_d2_copy11;
             lowered_chosen_bits_d4_copy5 <= lowered_chosen_bits_d3_copy11;
             lowered_chosen_bits_d1_copy19 <= lowered_chosen_copy11[22:0];
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
-            ay_out_both_d1 <= ay_out_both;
-            bx_out_both_d1 <= bx_out_both;
-            by_out_both_d1 <= by_out_both;
-            delta_both_d1 <= delta_both;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-        end
-        if (phases_26[0]) begin
             lowered_chosen_bits_d2_copy12 <= lowered_chosen_bits_d1_copy19;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_sum_sign_d1 <= mul_mul_add_f32_ftz_unit_copy3_y[31];
+        end
+        if (phases_18[1]) begin
             lowered_chosen_bits_d3_copy12 <= lowered_chosen_bits_d2_copy12;
             lowered_chosen_bits_d4_copy6 <= lowered_chosen_bits_d3_copy12;
             alpha_d12 <= alpha_d11;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy14_y[31];
-            mx_bits_d2 <= mx_bits_d1_copy3;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_both_d1 <= my_both;
-        end
-        if (phases_13[1]) begin
-            beyond_near_and_not_turned_d17 <= beyond_near_and_not_turned_d16;
-            beyond_near_and_not_turned_d18 <= beyond_near_and_not_turned_d17;
-            reaches_near_sum_d1_copy2 <= add_f32_ftz_unit_y;
-            e_d1 <= add_f32_ftz_unit_copy2_y;
-            e_d2 <= e_d1;
-            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
-            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_sign_d1 <= mul_f32_ftz_unit_copy7_y[31];
-            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_sign_d1 <= mul_f32_ftz_unit_copy15_y[31];
-            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-        end
-        if (phases_27[0]) begin
-            alpha_d13 <= alpha_d12;
             beta_d12 <= beta_d11;
-            beta_d13 <= beta_d12;
-            spread_half_d1 <= mul_f32_ftz_unit_copy5_y;
+            a_y_bits_d11 <= a_y_bits_d10;
+            mx_sum_sign_d2 <= mx_sum_sign_d1;
+            mx_sum_sign_d3 <= mx_sum_sign_d2;
+            not_zero_is_my_sum_bits_d1 <= not_zero_is_my_sum_bits;
+            not_zero_is_my_sum_bits_d2 <= not_zero_is_my_sum_bits_d1;
+            my_both_d1 <= my_both;
+            my_sum_sign_d1 <= mul_mul_add_f32_ftz_unit_copy5_y[31];
+            my_sum_sign_d2 <= my_sum_sign_d1;
         end
-        if (phases_14[1]) begin
-            spread_middle_d1 <= add_f32_ftz_unit_copy4_y;
-            spread_middle_d2 <= spread_middle_d1;
-            spread_middle_d3 <= spread_middle_d2;
-            spread_middle_d4 <= spread_middle_d3;
-        end
-        if (phases_15[1]) begin
-            spread_middle_d5 <= spread_middle_d4;
-            before_far_sum_d1 <= add_f32_ftz_unit_copy5_y;
-            before_far_joined_d1 <= {mul_f32_ftz_unit_copy5_y[31], before_far_chosen};
-            h_x_product_d1 <= mul_f32_ftz_unit_copy12_y;
-        end
-        if (phases_28[0]) begin
-            spread_half_d2 <= spread_half_d1;
-            spread_half_d3 <= spread_half_d2;
-            spread_half_d4 <= spread_half_d3;
-            a_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy8_y;
-        end
-        if (phases_29[0]) begin
-            a_x_joined_times_r_d2 <= a_x_joined_times_r_d1;
-            a_x_joined_times_r_d3 <= a_x_joined_times_r_d2;
-            a_x_joined_times_r_d4 <= a_x_joined_times_r_d3;
-            b_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy9_y;
-        end
-        if (phases_30[0]) begin
-            b_x_joined_times_r_d2 <= b_x_joined_times_r_d1;
-            b_x_joined_times_r_d3 <= b_x_joined_times_r_d2;
-            b_x_joined_times_r_d4 <= b_x_joined_times_r_d3;
-            first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy15_y[31], first_x_chosen_copy6};
-        end
-        if (phases_16[1]) begin
-            h_x_product_d2 <= h_x_product_d1;
-            h_x_product_d3 <= h_x_product_d2;
-            h_x_product_d4 <= h_x_product_d3;
-            center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy13_y;
-        end
-        if (phases_17[1]) begin
-            center_x_minus_first_x_joined_d2 <= center_x_minus_first_x_joined_d1;
-            center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy14_y;
-            center_x_plus_first_x_joined_d2 <= center_x_plus_first_x_joined_d1;
-            first_x_chosen_d1 <= first_x_chosen_copy9;
-        end
-        if (phases_18[1]) begin
-            first_x_chosen_d2 <= first_x_chosen_d1;
-            last_x_chosen_d1 <= last_x_chosen_copy3;
-            last_x_chosen_d2 <= last_x_chosen_d1;
-            first_x_shifted_d2 <= first_x_shifted_d1;
-            b_x_sign_d1 <= mul_f32_ftz_unit_copy9_y[31];
-            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_sign_d1 <= mul_f32_ftz_unit_copy17_y[31];
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
-            not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
+        if (phases_22[0]) begin
+            r_d1 <= recip_f32_ftz_unit_y;
+            r_d2 <= r_d1;
+            r_d3 <= r_d2;
+            r_d4 <= r_d3;
         end
         if (phases_19[1]) begin
-            first_x_shifted_d3 <= first_x_shifted_d2;
-            last_x_lesser_d1 <= last_x_lesser;
-            h_y_product_d1 <= mul_f32_ftz_unit_copy20_y;
-            h_y_product_d2 <= h_y_product_d1;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_sign_d1 <= add_f32_ftz_unit_copy26_y[31];
-            unit_delta_sign_d2 <= unit_delta_sign_d1;
-            unit_delta_sign_d3 <= unit_delta_sign_d2;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            doubtful_in_order_d1 <= doubtful_in_order;
-        end
-        if (phases_31[0]) begin
-            a_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy17_y;
-            a_y_joined_times_r_d2 <= a_y_joined_times_r_d1;
-            a_y_joined_times_r_d3 <= a_y_joined_times_r_d2;
-            a_y_joined_times_r_d4 <= a_y_joined_times_r_d3;
-        end
-        if (phases_32[0]) begin
-            b_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy18_y;
-            b_y_joined_times_r_d2 <= b_y_joined_times_r_d1;
-            b_y_joined_times_r_d3 <= b_y_joined_times_r_d2;
-            b_y_joined_times_r_d4 <= b_y_joined_times_r_d3;
-        end
-        if (phases_33[0]) begin
-            center_y_d1_copy2 <= add_f32_ftz_unit_copy11_y;
-            first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy24_y[31], first_y_chosen_copy6};
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy10;
-            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            my_bits_d1_copy3 <= add_f32_ftz_unit_copy15_y[31];
-            my_bits_d2 <= my_bits_d1_copy3;
+            e_d1 <= add_f32_ftz_unit_copy2_y;
+            f_chosen_d1 <= f_chosen;
+            f_d1 <= recip_f32_ftz_unit_y;
+            f_d2 <= f_d1;
         end
         if (phases_20[1]) begin
-            h_y_product_d3 <= h_y_product_d2;
-            h_y_product_d4 <= h_y_product_d3;
-            center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy22_y;
-            center_y_minus_first_y_joined_d2 <= center_y_minus_first_y_joined_d1;
+            f_d3 <= f_d2;
+            f_d4 <= f_d3;
+            spread_half_d1 <= mul_f32_ftz_unit_copy4_y;
+            spread_half_d2 <= spread_half_d1;
         end
         if (phases_21[1]) begin
-            center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy23_y;
-            center_y_plus_first_y_joined_d2 <= center_y_plus_first_y_joined_d1;
-            first_y_chosen_d1 <= first_y_chosen_copy9;
-            first_y_chosen_d2 <= first_y_chosen_d1;
+            spread_half_d3 <= spread_half_d2;
+            a_x_d1 <= mul_f32_ftz_unit_copy6_y;
+            b_x_d1 <= mul_f32_ftz_unit_copy7_y;
+            center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy6_y;
+        end
+        if (phases_23[0]) begin
+            one_minus_depth_a_d1 <= add_f32_ftz_unit_copy3_y;
+            before_far_sum_d1 <= add_f32_ftz_unit_copy4_y;
+            before_far_joined_d1 <= {mul_f32_ftz_unit_copy3_y[31], before_far_chosen};
+            middle_depth_d1 <= middle_depth;
         end
         if (phases_22[1]) begin
-            last_y_chosen_d1 <= last_y_chosen_copy3;
-            last_y_chosen_d2 <= last_y_chosen_d1;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            a_x_bits_d11 <= a_x_bits_d10;
-            a_y_bits_d1 <= a_y_bits_d1_bits;
-            a_y_bits_d11 <= a_y_bits_d10;
-            visible_both_d1 <= visible_both_copy3;
-        end
-        if (phases_34[0]) begin
-            first_y_shifted_d2 <= first_y_shifted_d1;
-            first_y_shifted_d3 <= first_y_shifted_d2;
-            last_y_greater_d1 <= max_f32_ftz_unit_copy5_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            beta_bits_d12 <= beta_bits_d11;
-            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
-            mx_chosen_d1 <= mx_chosen[7:0];
+            center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy7_y;
+            first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy8_y[31], first_x_chosen_copy6};
+            first_x_chosen_d1 <= first_x_chosen_copy9;
+            first_x_chosen_d2 <= first_x_chosen_d1;
         end
         if (phases_23[1]) begin
+            last_x_chosen_d1 <= last_x_chosen_copy3;
+            last_x_chosen_d2 <= last_x_chosen_d1;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            first_x_shifted_d2 <= first_x_shifted_d1;
             a_exponent_d1 <= a_exponent;
+            ax_out_chosen_d1 <= ax_out_chosen[7:0];
+            my_sum_sign_d3 <= my_sum_sign_d2;
+        end
+        if (phases_24[1]) begin
+            first_x_shifted_d3 <= first_x_shifted_d2;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f32_ftz_unit_copy10_y;
+            b_y_d1 <= mul_f32_ftz_unit_copy11_y;
             b_x_bits_d1 <= b_x_bits_d1_bits;
+            ay_out_chosen_d1 <= ay_out_chosen[7:0];
+            visible_both_d1 <= visible_both_copy3;
+        end
+        if (phases_24[0]) begin
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            center_y_d1_copy2 <= mul_add_f32_ftz_unit_copy2_y;
+            center_y_d44 <= center_y_d43;
+            minus_h_y_d1 <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            mx_both_d1 <= mx_both;
+            mx_both_d1_copy2 <= mx_both_copy2;
+        end
+        if (phases_25[1]) begin
+            center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy13_y;
+            center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy14_y;
+            first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy12_y[31], first_y_chosen_copy6};
+            last_y_chosen_d1 <= last_y_chosen_copy3;
+        end
+        if (phases_25[0]) begin
+            first_y_chosen_d1 <= first_y_chosen_copy9;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            first_y_shifted_d2 <= first_y_shifted_d1;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+        end
+        if (phases_26[1]) begin
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
             b_x_bits_d11 <= b_x_bits_d10;
             b_y_bits_d1 <= b_y_bits_d1_bits;
             b_y_bits_d11 <= b_y_bits_d10;
             b_exponent_d1 <= b_exponent;
             a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
-            a_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy7_y[22:0];
             a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            bx_out_chosen_d1 <= bx_out_chosen[7:0];
         end
-        if (phases_24[1]) begin
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            unit_delta_joined_d2 <= unit_delta_joined_d1;
-            a_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy15_y[22:0];
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-        end
-        if (phases_25[1]) begin
-            b_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy9_y[22:0];
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
-            unit_delta_joined_d2_copy2 <= unit_delta_joined_d1_copy3;
-            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
-            b_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy17_y[22:0];
-        end
-        if (phases_26[1]) begin
-            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            unit_delta_joined_d2_copy3 <= unit_delta_joined_d1_copy4;
-            m_exponent_d1 <= m_exponent;
-            mx_joined_d1 <= mx_joined_d1_bits;
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-        end
-        if (phases_35[0]) begin
-            alpha_bits_d12 <= alpha_bits_d11;
-            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
-            mx_sum_d1 <= mx_sum;
-            mx_sum_d1_copy2 <= mx_sum_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            mx_product_d1 <= mul_f32_ftz_unit_copy27_y;
-            largest_sum_d9 <= largest_sum_d8;
-            largest_greater_d1 <= largest_greater;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+        if (phases_26[0]) begin
+            first_y_shifted_d3 <= first_y_shifted_d2;
+            last_y_greater_d1 <= max_f32_ftz_unit_copy5_y;
+            last_y_lesser_d1 <= last_y_lesser;
+            a_x_bits_d1_copy2 <= a_x_d1[22:0];
+            a_y_bits_d1_copy2 <= a_y_d1[22:0];
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
+            not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= mul_add_f32_ftz_unit_copy3_y[31];
+            unit_delta_sign_d2 <= unit_delta_sign_d1;
         end
         if (phases_27[1]) begin
-            mx_joined_d1_copy2 <= {alpha_d13[31], mx_chosen_copy4};
+            unit_delta_joined_d1 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d2 <= unit_delta_joined_d1;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            unit_delta_joined_d1_copy2 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            by_out_chosen_d1 <= by_out_chosen[7:0];
+        end
+        if (phases_27[0]) begin
+            b_x_bits_d1_copy2 <= b_x_d1[22:0];
+            b_y_bits_d1_copy2 <= b_y_d1[22:0];
+            unit_delta_product_d1 <= mul_f32_ftz_unit_copy8_y;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            unit_delta_sign_d3 <= unit_delta_sign_d2;
+        end
+        if (phases_28[1]) begin
+            unit_delta_joined_d2_copy2 <= unit_delta_joined_d1_copy2;
+            beta_bits_d12 <= beta_bits_d11;
+            alpha_bits_d12 <= alpha_bits_d11;
+            m_exponent_d1 <= m_exponent;
+            mx_joined_d1 <= {beta_d12[31], mx_chosen_copy2};
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            delta_chosen_d1 <= delta_chosen[7:0];
+        end
+        if (phases_29[1]) begin
+            mx_joined_d1_copy2 <= {alpha_d12[31], mx_chosen_copy4};
+            minus_unit_delta_joined_d1 <= {~b_y_sign_d1, unit_delta_chosen_copy8};
+            minus_unit_delta_joined_d2 <= minus_unit_delta_joined_d1;
+            minus_unit_delta_joined_d1_copy2 <= {~a_x_sign_d1, unit_delta_chosen_copy2};
+        end
+        if (phases_30[1]) begin
+            minus_unit_delta_joined_d2_copy2 <= minus_unit_delta_joined_d1_copy2;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            delta_sum_d1 <= delta_sum;
+            mx_sum_bits_d1 <= mx_sum_bits_d1_bits;
+            mx_sum_bits_d2 <= mx_sum_bits_d1;
+        end
+        if (phases_28[0]) begin
+            largest_sum_d9 <= largest_sum_d8;
+            largest_sum_d10 <= largest_sum_d9;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
             unit_delta_bits_d2 <= unit_delta_bits_d1;
             unit_delta_bits_d3 <= unit_delta_bits_d2;
+            largest_greater_d1 <= largest_greater;
             largest_sum_minus_100_d1 <= largest_sum_minus_100;
             largest_greater_d1_copy2 <= largest_greater_copy2;
             largest_sum_plus_127_d1 <= largest_sum_plus_127;
             largest_d1 <= largest;
-            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy26_y[22:0];
-        end
-        if (phases_36[0]) begin
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            ax_out_chosen_d1 <= ax_out_chosen[7:0];
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            ay_out_chosen_d1 <= ay_out_chosen[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            bx_out_chosen_d1 <= bx_out_chosen[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            by_out_chosen_d1 <= by_out_chosen[7:0];
-            delta_sum_d1 <= delta_sum;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_bits_d1 <= mx_bits_d1_bits;
-            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
-        end
-        if (phases_28[1]) begin
-            ax_out_joined_d1 <= {a_x_sign_d11, ax_out_chosen_copy2};
-            ay_out_joined_d1 <= {a_y_sign_d11, ay_out_chosen_copy2};
-            unit_delta_bits_d2_copy2 <= unit_delta_bits_d1_copy2;
-            unit_delta_bits_d3_copy2 <= unit_delta_bits_d2_copy2;
-        end
-        if (phases_29[1]) begin
-            delta_d1 <= delta;
-            f_times_first_sum_sum_d1 <= mul_f32_ftz_unit_copy26_y;
-            f_times_first_sum_sum_d2 <= f_times_first_sum_sum_d1;
-            f_times_first_sum_sum_d3 <= f_times_first_sum_sum_d2;
-        end
-        if (phases_37[0]) begin
-            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy14_y[22:0];
-            mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_bits_d1_copy2};
-            my_bits_d1 <= my_bits_d1_bits;
-            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
-            my_bits_d1_copy2 <= add_f32_ftz_unit_copy15_y[22:0];
+            mx_sum_bits_is_255_d1 <= mx_sum_bits_is_255;
+            my_sum_bits_is_255_d1 <= my_sum_bits_is_255;
             edge_on_lesser_d1 <= edge_on_lesser;
-            unit_delta_product_bits_d1 <= mul_f32_ftz_unit_copy25_y[30:23];
-            unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            doubtful_in_order_d1 <= doubtful_in_order;
             whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
             whole_and_first_sum_both_d2 <= whole_and_first_sum_both_d1;
         end
-        if (phases_38[0]) begin
-            my_joined_d1 <= {my_chosen[7:0], my_bits_d1_copy2};
-            unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
-            unit_delta_product_bits_d4 <= unit_delta_product_bits_d3;
-            first_sum_sum_d1 <= add_f32_ftz_unit_copy17_y;
-            first_sum_sum_d2 <= first_sum_sum_d1;
+        if (phases_29[0]) begin
+            ax_out_joined_d1 <= {a_x_sign_d11, ax_out_chosen_copy2};
+            ay_out_joined_d1 <= {a_y_sign_d11, ay_out_chosen_copy2};
+            unit_delta_bits_d1_copy2 <= mul_add_f32_ftz_unit_copy3_y[22:0];
+            unit_delta_bits_d2_copy2 <= unit_delta_bits_d1_copy2;
+            unit_delta_product_bits_d1 <= unit_delta_product_d1[30:23];
+            unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
             first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
             first_sum_up_to_last_sum_d2 <= first_sum_up_to_last_sum_d1;
+        end
+        if (phases_30[0]) begin
+            unit_delta_bits_d3_copy2 <= unit_delta_bits_d2_copy2;
+            delta_d1 <= delta;
+            unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
+            first_sum_sum_d1 <= add_f32_ftz_unit_copy9_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
             visible_in_order_d1 <= visible_in_order;
-            first_sum_out_d1 <= first_sum[9:0];
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
         end
-        if (phases_30[1]) begin
-            f_times_first_sum_sum_d4 <= f_times_first_sum_sum_d3;
-            first_sum_product_d1 <= mul_f32_ftz_unit_copy27_y;
+        if (phases_31[1]) begin
+            mx_sum_plus_mx_sum_bits_d1 <= mx_sum_plus_mx_sum_bits;
+            mx_sum_bits_d1_copy2 <= mul_mul_add_f32_ftz_unit_copy3_y[22:0];
+            mx_sum_bits_d2_copy2 <= mx_sum_bits_d1_copy2;
+            mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_sum_bits_d2_copy2};
+            my_sum_bits_d1 <= my_sum_bits_d1_bits;
+            my_sum_bits_d2 <= my_sum_bits_d1;
+            mx_sum_plus_my_sum_bits_d1 <= mx_sum_plus_my_sum_bits;
+        end
+        if (phases_32[1]) begin
+            my_sum_bits_d1_copy2 <= mul_mul_add_f32_ftz_unit_copy5_y[22:0];
+            my_sum_bits_d2_copy2 <= my_sum_bits_d1_copy2;
+            my_joined_d1 <= {my_chosen[7:0], my_sum_bits_d2_copy2};
             first_difference_sum_d1_copy2 <= first_difference_sum;
-            last_difference_chosen_d1 <= last_difference_chosen;
         end
-        if (phases_39[0]) begin
+        if (phases_31[0]) begin
             first_sum_sum_d3 <= first_sum_sum_d2;
             first_sum_sum_d4 <= first_sum_sum_d3;
-            first_sum_sum_d1_copy2 <= add_f32_ftz_unit_copy22_y;
+            first_sum_sum_d1_copy2 <= add_f32_ftz_unit_copy12_y;
             first_sum_sum_d2_copy2 <= first_sum_sum_d1_copy2;
         end
-        if (phases_40[0]) begin
+        if (phases_32[0]) begin
             first_sum_sum_d1_copy3 <= first_sum_sum;
-            last_sum_sum_d1 <= add_f32_ftz_unit_copy23_y;
+            last_sum_sum_d1 <= add_f32_ftz_unit_copy13_y;
             last_sum_sum_d2 <= last_sum_sum_d1;
             last_sum_sum_d1_copy2 <= last_sum_sum;
-            first_sum_out_d2 <= first_sum_out_d1;
+            first_sum_out_d1 <= first_sum[9:0];
         end
-        if (phases_41[0]) begin
-            first_difference_sum_d1 <= add_f32_ftz_unit_copy24_y;
+        if (phases_33[0]) begin
+            first_difference_sum_d1 <= add_f32_ftz_unit_copy14_y;
             first_difference_sum_d2 <= first_difference_sum_d1;
             first_difference_lesser_d1 <= min_f32_ftz_unit_copy5_y;
-            last_difference_sum_d1 <= add_f32_ftz_unit_copy25_y;
+            last_difference_sum_d1 <= add_f32_ftz_unit_copy15_y;
         end
-        if (phases_42[0]) begin
+        if (phases_34[0]) begin
             last_difference_sum_d2 <= last_difference_sum_d1;
             center_x_fixed_d1 <= to_fixed_f32_ftz_s22q8_unit_y;
             first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
             last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_out_d2 <= first_sum_out_d1;
             last_sum_out_d1 <= last_sum[9:0];
-            last_sum_out_d2 <= last_sum_out_d1;
         end
-        if (phases_31[1]) begin
+        if (phases_33[1]) begin
+            last_difference_chosen_d1 <= last_difference_chosen;
             last_difference_sum_d1_copy2 <= last_difference_sum;
             first_sum_difference_d1 <= first_sum_difference;
             last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
-            first_sum_greater_d1 <= first_sum_greater;
         end
-        if (phases_32[1]) begin
+        if (phases_34[1]) begin
+            first_sum_greater_d1 <= first_sum_greater;
             last_sum_lesser_d1 <= last_sum_lesser;
             first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
             last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
-            first_difference_greater_d1 <= first_difference_greater;
         end
-        if (phases_43[0]) begin
+        if (phases_35[0]) begin
             first_difference_difference_d1 <= first_difference_difference_copy2;
             first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
             last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
             last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            last_sum_out_d2 <= last_sum_out_d1;
             first_difference_out_d1 <= first_difference[9:0];
-            last_difference_out_d1 <= last_difference[9:0];
         end
-        if (phases_33[1]) begin
+        if (phases_35[1]) begin
+            first_difference_greater_d1 <= first_difference_greater;
             last_difference_lesser_d1 <= last_difference_lesser;
+        end
+        if (phases_36[0]) begin
+            last_difference_out_d1 <= last_difference[9:0];
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            sight_negative_out_d1 <= sight_negative_out;
             ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
             ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
-            delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy28_y;
+            delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy11_y;
         end
-        if (phases_44[0]) begin
-            middle_depth_minus_epsilon_d1 <= add_f32_ftz_unit_copy26_y;
-            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy27_y;
+        if (phases_37[0]) begin
+            middle_depth_minus_epsilon_d1 <= add_f32_ftz_unit_copy16_y;
+            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy17_y;
             depth_high_out_greater_d1 <= max_f32_ftz_unit_copy8_y;
         end
         max_f32_ftz_unit_a <= max_f32_ftz_unit_phase ? last_x_chosen_copy3 : {1'd0, in_tangent1_x[30:0]};
-        max_f32_ftz_unit_b <= max_f32_ftz_unit_phase ? add_f32_ftz_unit_copy16_y : {1'd0, in_tangent2_x[30:0]};
+        max_f32_ftz_unit_b <= max_f32_ftz_unit_phase ? add_f32_ftz_unit_copy10_y : {1'd0, in_tangent2_x[30:0]};
         max_f32_ftz_unit_copy2_a <= max_f32_ftz_unit_copy2_phase ? last_y_chosen_copy3 : {1'd0, in_tangent1_y[30:0]};
-        max_f32_ftz_unit_copy2_b <= max_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy25_y : {1'd0, in_tangent2_y[30:0]};
-        max_f32_ftz_unit_copy3_a <= max_f32_ftz_unit_copy3_phase ? 32'd0 : max_f32_ftz_unit_copy3_a_bits;
-        max_f32_ftz_unit_copy3_b <= max_f32_ftz_unit_copy3_phase ? first_y_chosen_d1_copy2 : max_f32_ftz_unit_copy3_b_bits;
+        max_f32_ftz_unit_copy2_b <= max_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy16_y : {1'd0, in_tangent2_y[30:0]};
+        max_f32_ftz_unit_copy3_a <= max_f32_ftz_unit_copy3_phase ? 32'd0 : lt_f32_ftz_unit_copy2_a_bits;
+        max_f32_ftz_unit_copy3_b <= max_f32_ftz_unit_copy3_phase ? first_y_chosen_copy10 : lt_f32_ftz_unit_copy2_b_bits;
         max_f32_ftz_unit_copy4_a <= max_f32_ftz_unit_copy4_phase ? 32'd0 : 32'd0;
-        max_f32_ftz_unit_copy4_b <= max_f32_ftz_unit_copy4_phase ? min_f32_ftz_unit_copy2_y : first_x_chosen_copy10;
-        max_f32_ftz_unit_copy5_a <= max_f32_ftz_unit_copy5_phase ? 32'd0 : first_sum_product_d1;
-        max_f32_ftz_unit_copy5_b <= max_f32_ftz_unit_copy5_phase ? min_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy22_y;
-        max_f32_ftz_unit_copy6_a <= max_f32_ftz_unit_copy6_phase ? 32'd0 : first_sum_product_d1;
-        max_f32_ftz_unit_copy6_b <= max_f32_ftz_unit_copy6_phase ? middle_depth : add_f32_ftz_unit_copy23_y;
-        max_f32_ftz_unit_copy7_a <= max_f32_ftz_unit_copy7_phase ? 32'd0 : first_sum_product_d1;
-        max_f32_ftz_unit_copy7_b <= max_f32_ftz_unit_copy7_phase ? middle_depth_minus_epsilon_d1 : add_f32_ftz_unit_copy24_y;
-        max_f32_ftz_unit_copy8_a <= max_f32_ftz_unit_copy8_phase ? 32'd0 : first_sum_product_d1;
-        max_f32_ftz_unit_copy8_b <= max_f32_ftz_unit_copy8_phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy25_y;
-        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase ? center_z_d2 : near_plane;
-        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase ? max_f32_ftz_unit_copy3_y : in_center_z;
-        lt_f32_ftz_unit_copy2_a <= lt_f32_ftz_unit_copy2_phase ? 32'h39800000 : max_f32_ftz_unit_copy3_a_bits;
-        lt_f32_ftz_unit_copy2_b <= lt_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy3_b_bits;
-        lt_f32_ftz_unit_copy3_a <= lt_f32_ftz_unit_copy3_phase ? 32'd0 : near_plane;
-        lt_f32_ftz_unit_copy3_b <= lt_f32_ftz_unit_copy3_phase ? add_f32_ftz_unit_copy13_y : reaches_near_sum_d1_copy2;
-        lt_f32_ftz_unit_copy4_a <= lt_f32_ftz_unit_copy4_phase ? add_f32_ftz_unit_copy14_y : 32'd0;
-        lt_f32_ftz_unit_copy4_b <= lt_f32_ftz_unit_copy4_phase ? 32'd0 : center_y_minus_first_y_joined_d1;
-        lt_f32_ftz_unit_copy5_a <= center_y_plus_first_y_joined_d1;
-        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase ? mul_f32_ftz_unit_y : center_z_d3;
-        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy2_y : reaches_near_joined_d1;
-        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy4_y : 32'h3f800000;
-        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
-        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase ? 32'h3f800000 : depth_a;
-        add_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy3_phase ? {not_depth_a_sign, depth_a[30:0]} : mul_f32_ftz_unit_copy3_y;
-        add_f32_ftz_unit_copy4_a <= add_f32_ftz_unit_copy4_phase ? a_x_joined_times_r_d4 : delay_31_from_1_out;
-        add_f32_ftz_unit_copy4_b <= add_f32_ftz_unit_copy4_phase ? {~mul_f32_ftz_unit_copy6_y[31], mul_f32_ftz_unit_copy6_y[30:0]} : mul_f32_ftz_unit_copy4_y;
-        add_f32_ftz_unit_copy5_a <= add_f32_ftz_unit_copy5_phase ? b_x_joined_times_r_d4 : center_z_d3;
-        add_f32_ftz_unit_copy5_b <= add_f32_ftz_unit_copy5_phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]};
-        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase ? origin_x : spread_middle_d1;
-        add_f32_ftz_unit_copy6_b <= add_f32_ftz_unit_copy6_phase ? mul_f32_ftz_unit_copy10_y : spread_half_d4;
-        add_f32_ftz_unit_copy7_a <= add_f32_ftz_unit_copy7_phase ? delay_24_from_0_out : mul_f32_ftz_unit_copy6_y;
-        add_f32_ftz_unit_copy7_b <= add_f32_ftz_unit_copy7_phase ? add_f32_ftz_unit_copy7_b_bits : epsilon_bias;
-        add_f32_ftz_unit_copy8_a <= add_f32_ftz_unit_copy8_phase ? origin_x : mul_f32_ftz_unit_copy10_y;
-        add_f32_ftz_unit_copy8_b <= add_f32_ftz_unit_copy8_phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy11_y;
-        add_f32_ftz_unit_copy9_a <= add_f32_ftz_unit_copy9_phase ? a_y_joined_times_r_d4 : mul_f32_ftz_unit_copy13_y;
-        add_f32_ftz_unit_copy9_b <= add_f32_ftz_unit_copy9_phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy14_y;
-        add_f32_ftz_unit_copy10_a <= add_f32_ftz_unit_copy10_phase ? b_y_joined_times_r_d4 : mul_f32_ftz_unit_copy12_y;
-        add_f32_ftz_unit_copy10_b <= add_f32_ftz_unit_copy10_phase ? add_f32_ftz_unit_copy10_b_bits : h_x_product_d4;
-        add_f32_ftz_unit_copy11_a <= add_f32_ftz_unit_copy11_phase ? origin_y : center_x_minus_t_x_d17;
-        add_f32_ftz_unit_copy11_b <= add_f32_ftz_unit_copy11_phase ? mul_f32_ftz_unit_copy18_y : add_f32_ftz_unit_copy11_b_bits;
-        add_f32_ftz_unit_copy12_a <= add_f32_ftz_unit_copy12_phase ? center_y_d24 : sqrt_f32_ftz_unit_copy2_y;
-        add_f32_ftz_unit_copy12_b <= add_f32_ftz_unit_copy12_phase ? add_f32_ftz_unit_copy12_b_bits : center_x_minus_t_x_d17;
-        add_f32_ftz_unit_copy13_a <= add_f32_ftz_unit_copy13_phase ? origin_y : center_x_d3;
-        add_f32_ftz_unit_copy13_b <= add_f32_ftz_unit_copy13_phase ? first_y_joined_d1_copy2 : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
-        add_f32_ftz_unit_copy14_a <= add_f32_ftz_unit_copy14_phase ? mx_product_d1 : center_x_d3;
-        add_f32_ftz_unit_copy14_b <= add_f32_ftz_unit_copy14_phase ? add_f32_ftz_unit_copy14_b_bits : first_x_joined_d1;
-        add_f32_ftz_unit_copy15_a <= add_f32_ftz_unit_copy15_phase ? mul_f32_ftz_unit_copy23_y : center_x_d44;
-        add_f32_ftz_unit_copy15_b <= add_f32_ftz_unit_copy15_phase ? add_f32_ftz_unit_copy15_b_bits : minus_filter_radius;
-        add_f32_ftz_unit_copy16_a <= add_f32_ftz_unit_copy16_phase ? add_f32_ftz_unit_copy10_y : filter_radius;
-        add_f32_ftz_unit_copy16_b <= add_f32_ftz_unit_copy16_phase ? add_f32_ftz_unit_copy19_y : center_x_d44;
-        add_f32_ftz_unit_copy17_a <= add_f32_ftz_unit_copy17_phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy19_y;
-        add_f32_ftz_unit_copy17_b <= add_f32_ftz_unit_copy17_phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy20_y;
-        add_f32_ftz_unit_copy18_a <= add_f32_ftz_unit_copy18_phase ? mul_f32_ftz_unit_copy25_y : mul_f32_ftz_unit_copy22_y;
-        add_f32_ftz_unit_copy18_b <= add_f32_ftz_unit_copy18_phase ? first_sum_sum_d4 : mul_f32_ftz_unit_copy23_y;
-        add_f32_ftz_unit_copy19_a <= add_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy11_y : mul_f32_ftz_unit_copy21_y;
-        add_f32_ftz_unit_copy19_b <= add_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy19_y : h_y_product_d4;
-        add_f32_ftz_unit_copy20_a <= add_f32_ftz_unit_copy20_phase ? mul_f32_ftz_unit_copy25_y : center_y_minus_t_y_d17;
-        add_f32_ftz_unit_copy20_b <= add_f32_ftz_unit_copy20_phase ? {~first_sum_sum_d4[31], first_sum_sum_d4[30:0]} : add_f32_ftz_unit_copy20_b_bits;
-        add_f32_ftz_unit_copy21_a <= add_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy11_y : sqrt_f32_ftz_unit_copy3_y;
-        add_f32_ftz_unit_copy21_b <= add_f32_ftz_unit_copy21_phase ? add_f32_ftz_unit_copy12_b_bits : center_y_minus_t_y_d17;
-        add_f32_ftz_unit_copy22_a <= add_f32_ftz_unit_copy22_phase ? t_x_plus_t_y_d28 : center_y_d3;
-        add_f32_ftz_unit_copy22_b <= add_f32_ftz_unit_copy22_phase ? sqrt_f32_ftz_unit_y : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
-        add_f32_ftz_unit_copy23_a <= add_f32_ftz_unit_copy23_phase ? sqrt_f32_ftz_unit_y : center_y_d3;
-        add_f32_ftz_unit_copy23_b <= add_f32_ftz_unit_copy23_phase ? {~t_x_plus_t_y_d28[31], t_x_plus_t_y_d28[30:0]} : first_y_joined_d1;
-        add_f32_ftz_unit_copy24_a <= add_f32_ftz_unit_copy24_phase ? t_x_minus_t_y_d28 : minus_filter_radius;
-        add_f32_ftz_unit_copy24_b <= add_f32_ftz_unit_copy24_phase ? sqrt_f32_ftz_unit_copy2_y : center_y_d44;
-        add_f32_ftz_unit_copy25_a <= add_f32_ftz_unit_copy25_phase ? sqrt_f32_ftz_unit_copy2_y : filter_radius;
-        add_f32_ftz_unit_copy25_b <= add_f32_ftz_unit_copy25_phase ? {~t_x_minus_t_y_d28[31], t_x_minus_t_y_d28[30:0]} : center_y_d44;
-        add_f32_ftz_unit_copy26_a <= add_f32_ftz_unit_copy26_phase ? middle_depth_d7 : mul_f32_ftz_unit_copy25_y;
-        add_f32_ftz_unit_copy26_b <= add_f32_ftz_unit_copy26_phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : add_f32_ftz_unit_copy26_b_bits;
-        add_f32_ftz_unit_copy27_a <= add_f32_ftz_unit_copy27_phase ? middle_depth_d7 : mul_f32_ftz_unit_copy29_y;
-        add_f32_ftz_unit_copy27_b <= add_f32_ftz_unit_copy27_phase ? add_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy30_y;
-        add_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_y;
-        add_f32_ftz_unit_copy28_b <= f_times_first_sum_sum_d4;
-        recip_f32_ftz_unit_a <= recip_f32_ftz_unit_phase ? f_chosen : lowered_chosen_copy5;
+        max_f32_ftz_unit_copy4_b <= max_f32_ftz_unit_copy4_phase ? min_f32_ftz_unit_y : first_x_chosen_copy10;
+        max_f32_ftz_unit_copy5_a <= max_f32_ftz_unit_copy5_phase ? 32'd0 : mul_f32_ftz_unit_copy10_y;
+        max_f32_ftz_unit_copy5_b <= max_f32_ftz_unit_copy5_phase ? min_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy12_y;
+        max_f32_ftz_unit_copy6_a <= max_f32_ftz_unit_copy6_phase ? 32'd0 : mul_f32_ftz_unit_copy10_y;
+        max_f32_ftz_unit_copy6_b <= max_f32_ftz_unit_copy6_phase ? middle_depth_d1 : add_f32_ftz_unit_copy13_y;
+        max_f32_ftz_unit_copy7_a <= max_f32_ftz_unit_copy7_phase ? 32'd0 : mul_f32_ftz_unit_copy10_y;
+        max_f32_ftz_unit_copy7_b <= max_f32_ftz_unit_copy7_phase ? middle_depth_minus_epsilon_d1 : add_f32_ftz_unit_copy14_y;
+        max_f32_ftz_unit_copy8_a <= max_f32_ftz_unit_copy8_phase ? 32'd0 : mul_f32_ftz_unit_copy10_y;
+        max_f32_ftz_unit_copy8_b <= max_f32_ftz_unit_copy8_phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy15_y;
+        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase ? depth_a : center_z_d3;
+        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy3_y : reaches_near_joined_d1;
+        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase ? mul_add_f32_ftz_unit_y : 32'h3f800000;
+        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase ? {~spread_half_d3[31], spread_half_d3[30:0]} : add_f32_ftz_unit_copy2_b_bits;
+        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase ? 32'h3f800000 : center_x_d23;
+        add_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy3_phase ? {not_depth_a_sign, depth_a[30:0]} : {~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]};
+        add_f32_ftz_unit_copy4_a <= add_f32_ftz_unit_copy4_phase ? center_z_d4 : center_x_minus_t_x_d17;
+        add_f32_ftz_unit_copy4_b <= add_f32_ftz_unit_copy4_phase ? {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]} : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
+        add_f32_ftz_unit_copy5_a <= add_f32_ftz_unit_copy5_phase ? mul_add_f32_ftz_unit_y : sqrt_f32_ftz_unit_y;
+        add_f32_ftz_unit_copy5_b <= add_f32_ftz_unit_copy5_phase ? spread_half_d3 : center_x_minus_t_x_d17;
+        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase ? center_y_minus_t_y_d17 : center_x_d3;
+        add_f32_ftz_unit_copy6_b <= add_f32_ftz_unit_copy6_phase ? minus_h_y_d1 : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
+        add_f32_ftz_unit_copy7_a <= add_f32_ftz_unit_copy7_phase ? minus_filter_radius : center_x_d3;
+        add_f32_ftz_unit_copy7_b <= add_f32_ftz_unit_copy7_phase ? center_y_d44 : first_x_joined_d1;
+        add_f32_ftz_unit_copy8_a <= add_f32_ftz_unit_copy8_phase ? mul_mul_add_f32_ftz_unit_y : origin_x;
+        add_f32_ftz_unit_copy8_b <= add_f32_ftz_unit_copy8_phase ? mul_mul_add_f32_ftz_unit_copy2_y : first_x_joined_d1_copy2;
+        add_f32_ftz_unit_copy9_a <= add_f32_ftz_unit_copy9_phase ? mul_add_f32_ftz_unit_copy3_y : center_x_d43;
+        add_f32_ftz_unit_copy9_b <= add_f32_ftz_unit_copy9_phase ? mul_add_f32_ftz_unit_copy3_y : minus_filter_radius;
+        add_f32_ftz_unit_copy10_a <= add_f32_ftz_unit_copy10_phase ? mul_f32_ftz_unit_copy13_y : filter_radius;
+        add_f32_ftz_unit_copy10_b <= add_f32_ftz_unit_copy10_phase ? first_sum_sum_d4 : center_x_d43;
+        add_f32_ftz_unit_copy11_a <= add_f32_ftz_unit_copy11_phase ? mul_f32_ftz_unit_copy13_y : center_y_d23;
+        add_f32_ftz_unit_copy11_b <= add_f32_ftz_unit_copy11_phase ? {~first_sum_sum_d4[31], first_sum_sum_d4[30:0]} : minus_mul_f32_ftz_unit_copy6_y;
+        add_f32_ftz_unit_copy12_a <= add_f32_ftz_unit_copy12_phase ? t_x_plus_t_y_d27 : sqrt_f32_ftz_unit_copy2_y;
+        add_f32_ftz_unit_copy12_b <= add_f32_ftz_unit_copy12_phase ? sqrt_f32_ftz_unit_copy2_y : center_y_minus_t_y_d17;
+        add_f32_ftz_unit_copy13_a <= add_f32_ftz_unit_copy13_phase ? sqrt_f32_ftz_unit_copy2_y : center_y_d3;
+        add_f32_ftz_unit_copy13_b <= add_f32_ftz_unit_copy13_phase ? {~t_x_plus_t_y_d27[31], t_x_plus_t_y_d27[30:0]} : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
+        add_f32_ftz_unit_copy14_a <= add_f32_ftz_unit_copy14_phase ? t_x_minus_t_y_d27 : center_y_d3;
+        add_f32_ftz_unit_copy14_b <= add_f32_ftz_unit_copy14_phase ? sqrt_f32_ftz_unit_copy3_y : first_y_joined_d1;
+        add_f32_ftz_unit_copy15_a <= add_f32_ftz_unit_copy15_phase ? sqrt_f32_ftz_unit_copy3_y : origin_y;
+        add_f32_ftz_unit_copy15_b <= add_f32_ftz_unit_copy15_phase ? {~t_x_minus_t_y_d27[31], t_x_minus_t_y_d27[30:0]} : first_y_joined_d1_copy2;
+        add_f32_ftz_unit_copy16_a <= add_f32_ftz_unit_copy16_phase ? middle_depth_d7 : filter_radius;
+        add_f32_ftz_unit_copy16_b <= add_f32_ftz_unit_copy16_phase ? add_f32_ftz_unit_copy16_b_bits : center_y_d43;
+        add_f32_ftz_unit_copy17_a <= add_f32_ftz_unit_copy17_phase ? middle_depth_d7 : mul_f32_ftz_unit_copy4_y;
+        add_f32_ftz_unit_copy17_b <= add_f32_ftz_unit_copy17_phase ? mul_add_f32_ftz_unit_copy2_y : mul_f32_ftz_unit_copy6_y;
+        add_f32_ftz_unit_copy18_a <= mul_f32_ftz_unit_copy4_y;
+        add_f32_ftz_unit_copy18_b <= minus_mul_f32_ftz_unit_copy6_y;
+        recip_f32_ftz_unit_a <= recip_f32_ftz_unit_phase ? lowered_chosen_copy5 : f_chosen_d1;
         recip_f32_ftz_unit_copy2_a <= b_depth_d8;
-        mul_f32_ftz_unit_a <= mul_f32_ftz_unit_phase ? alpha_joined_d11 : mul_f32_ftz_unit_y;
-        mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase ? beta_joined_d11 : mul_f32_ftz_unit_copy2_y;
-        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase ? recip_f32_ftz_unit_y : delay_13_from_0_out;
-        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase ? depth_b : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy4_a <= mul_f32_ftz_unit_copy4_phase ? b_depth_d31 : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy4_b <= mul_f32_ftz_unit_copy4_phase ? mul_f32_ftz_unit_copy3_y : sqrt_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy5_a <= mul_f32_ftz_unit_copy5_phase ? abs_b_depth_d31 : add_f32_ftz_unit_copy3_y;
-        mul_f32_ftz_unit_copy5_b <= mul_f32_ftz_unit_copy5_phase ? mul_f32_ftz_unit_copy4_y : before_far_sum_d1;
-        mul_f32_ftz_unit_copy6_a <= mul_f32_ftz_unit_copy6_phase ? half_depth : mul_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy6_b <= mul_f32_ftz_unit_copy6_phase ? epsilon_scale : mul_f32_ftz_unit_copy7_y;
-        mul_f32_ftz_unit_copy7_a <= mul_f32_ftz_unit_copy7_phase ? v_x_chosen_d15 : scale_x;
-        mul_f32_ftz_unit_copy7_b <= mul_f32_ftz_unit_copy7_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy4_y;
-        mul_f32_ftz_unit_copy8_a <= mul_f32_ftz_unit_copy8_phase ? a_x_joined_d11 : mul_f32_ftz_unit_copy2_y;
-        mul_f32_ftz_unit_copy8_b <= mul_f32_ftz_unit_copy8_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy7_y;
-        mul_f32_ftz_unit_copy9_a <= mul_f32_ftz_unit_copy9_phase ? b_x_joined_d11 : scale_x;
-        mul_f32_ftz_unit_copy9_b <= mul_f32_ftz_unit_copy9_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy5_y;
-        mul_f32_ftz_unit_copy10_a <= mul_f32_ftz_unit_copy10_phase ? alpha_d11 : scale_x;
-        mul_f32_ftz_unit_copy10_b <= mul_f32_ftz_unit_copy7_y;
-        mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_phase ? beta_d11 : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy11_b <= mul_f32_ftz_unit_copy11_phase ? mul_f32_ftz_unit_copy9_y : t_x_sum_d10;
-        mul_f32_ftz_unit_copy12_a <= mul_f32_ftz_unit_copy12_phase ? mul_f32_ftz_unit_copy11_y : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy12_b <= mul_f32_ftz_unit_copy12_phase ? mul_f32_ftz_unit_copy11_y : a_x_squared_plus_b_x_squared_d10;
-        mul_f32_ftz_unit_copy13_a <= mul_f32_ftz_unit_copy13_phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy13_b <= mul_f32_ftz_unit_copy13_phase ? mul_f32_ftz_unit_copy7_y : scale_x;
-        mul_f32_ftz_unit_copy14_a <= mul_f32_ftz_unit_copy14_phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy14_phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy16_y;
-        mul_f32_ftz_unit_copy15_a <= mul_f32_ftz_unit_copy15_phase ? mul_f32_ftz_unit_copy13_y : scale_y;
-        mul_f32_ftz_unit_copy15_b <= mul_f32_ftz_unit_copy15_phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy9_y;
-        mul_f32_ftz_unit_copy16_a <= mul_f32_ftz_unit_copy16_phase ? v_y_chosen_d15 : mul_f32_ftz_unit_copy2_y;
-        mul_f32_ftz_unit_copy16_b <= mul_f32_ftz_unit_copy16_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
-        mul_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy17_phase ? a_y_joined_d11 : scale_y;
-        mul_f32_ftz_unit_copy17_b <= mul_f32_ftz_unit_copy17_phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy10_y;
-        mul_f32_ftz_unit_copy18_a <= mul_f32_ftz_unit_copy18_phase ? b_y_joined_d11 : scale_y;
-        mul_f32_ftz_unit_copy18_b <= mul_f32_ftz_unit_copy18_phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
-        mul_f32_ftz_unit_copy19_a <= mul_f32_ftz_unit_copy19_phase ? alpha_d11 : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy19_b <= mul_f32_ftz_unit_copy19_phase ? mul_f32_ftz_unit_copy15_y : t_y_sum_d10;
-        mul_f32_ftz_unit_copy20_a <= mul_f32_ftz_unit_copy20_phase ? beta_d11 : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy20_b <= mul_f32_ftz_unit_copy20_phase ? mul_f32_ftz_unit_copy17_y : a_y_squared_plus_b_y_squared_d10;
-        mul_f32_ftz_unit_copy21_a <= mul_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy21_b <= mul_f32_ftz_unit_copy21_phase ? mul_f32_ftz_unit_copy19_y : scale_y;
-        mul_f32_ftz_unit_copy22_a <= mul_f32_ftz_unit_copy22_phase ? mul_f32_ftz_unit_copy15_y : unit_delta_joined_d2_copy3;
-        mul_f32_ftz_unit_copy22_b <= mul_f32_ftz_unit_copy22_phase ? mul_f32_ftz_unit_copy15_y : mx_joined_d1_copy2;
-        mul_f32_ftz_unit_copy23_a <= mul_f32_ftz_unit_copy23_phase ? mul_f32_ftz_unit_copy17_y : unit_delta_joined_d2_copy2;
-        mul_f32_ftz_unit_copy23_b <= mul_f32_ftz_unit_copy23_phase ? mul_f32_ftz_unit_copy17_y : mx_joined_d1_copy2;
-        mul_f32_ftz_unit_copy24_a <= mul_f32_ftz_unit_copy24_phase ? mul_f32_ftz_unit_copy21_y : unit_delta_joined_d2;
-        mul_f32_ftz_unit_copy24_b <= mul_f32_ftz_unit_copy24_phase ? first_y_chosen_d43 : mx_joined_d1;
-        mul_f32_ftz_unit_copy25_a <= mul_f32_ftz_unit_copy25_phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : 32'h3f800008;
-        mul_f32_ftz_unit_copy25_b <= mul_f32_ftz_unit_copy25_phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : add_f32_ftz_unit_copy16_y;
-        mul_f32_ftz_unit_copy26_a <= mul_f32_ftz_unit_copy26_phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : recip_f32_ftz_unit_y;
-        mul_f32_ftz_unit_copy26_b <= mul_f32_ftz_unit_copy26_phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : first_sum_sum_d10;
-        mul_f32_ftz_unit_copy27_a <= mul_f32_ftz_unit_copy27_phase ? unit_delta_joined_d1_copy2 : filter_radius;
-        mul_f32_ftz_unit_copy27_b <= mul_f32_ftz_unit_copy27_phase ? mx_joined_d1_bits : 32'h3fb60000;
-        mul_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_phase ? mul_f32_ftz_unit_copy11_y : delta_d1;
-        mul_f32_ftz_unit_copy28_b <= mul_f32_ftz_unit_copy28_phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_copy2_y;
-        mul_f32_ftz_unit_copy29_a <= mul_f32_ftz_unit_copy29_phase ? mul_f32_ftz_unit_copy7_y : delta_times_one_over_b_depth_d1;
-        mul_f32_ftz_unit_copy29_b <= mul_f32_ftz_unit_copy29_phase ? mul_f32_ftz_unit_copy15_y : sight_near_out_joined;
-        mul_f32_ftz_unit_copy30_a <= mul_f32_ftz_unit_copy30_phase ? mul_f32_ftz_unit_copy9_y : delay_40_from_0_out;
-        mul_f32_ftz_unit_copy30_b <= mul_f32_ftz_unit_copy30_phase ? mul_f32_ftz_unit_copy17_y : delta_times_one_over_b_depth_d1;
-        sqrt_f32_ftz_unit_a <= sqrt_f32_ftz_unit_phase ? q_d7 : add_f32_ftz_unit_copy18_y;
-        sqrt_f32_ftz_unit_copy2_a <= sqrt_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy10_y : add_f32_ftz_unit_copy20_y;
-        sqrt_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy19_y;
-        le_f32_ftz_unit_a <= le_f32_ftz_unit_phase ? add_f32_ftz_unit_copy3_y : 32'd0;
-        le_f32_ftz_unit_b <= le_f32_ftz_unit_phase ? 32'h3f800000 : add_f32_ftz_unit_copy2_y;
-        le_f32_ftz_unit_copy2_a <= le_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy6_y : depth_b;
-        le_f32_ftz_unit_copy2_b <= le_f32_ftz_unit_copy2_phase ? 32'h3f800000 : before_far_joined_d1;
-        min_f32_ftz_unit_a <= min_f32_ftz_unit_phase ? first_x_chosen_copy9 : 32'h3f800000;
-        min_f32_ftz_unit_b <= min_f32_ftz_unit_phase ? add_f32_ftz_unit_copy15_y : {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
-        min_f32_ftz_unit_copy2_a <= min_f32_ftz_unit_copy2_phase ? first_y_chosen_copy9 : 32'h45fff800;
-        min_f32_ftz_unit_copy2_b <= min_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy24_y : last_x_chosen_copy4;
+        mul_f32_ftz_unit_a <= mul_f32_ftz_unit_phase ? q_d20 : alpha_joined_d11;
+        mul_f32_ftz_unit_b <= recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase ? recip_f32_ftz_unit_y : beta_joined_d11;
+        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase ? sqrt_f32_ftz_unit_y : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase ? one_minus_depth_a_d1 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase ? before_far_sum_d1 : depth_b;
+        mul_f32_ftz_unit_copy4_a <= mul_f32_ftz_unit_copy4_phase ? recip_f32_ftz_unit_y : abs_b_depth_d30;
+        mul_f32_ftz_unit_copy4_b <= mul_f32_ftz_unit_copy4_phase ? t_x_sum_d9 : mul_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy5_a <= mul_f32_ftz_unit_copy5_phase ? recip_f32_ftz_unit_y : v_x_chosen_d14;
+        mul_f32_ftz_unit_copy5_b <= mul_f32_ftz_unit_copy5_phase ? scale_x : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy6_a <= mul_f32_ftz_unit_copy6_phase ? recip_f32_ftz_unit_y : scale_x;
+        mul_f32_ftz_unit_copy6_b <= mul_f32_ftz_unit_copy6_phase ? t_y_sum_d9 : mul_mul_add_f32_ftz_unit_copy2_y;
+        mul_f32_ftz_unit_copy7_a <= mul_f32_ftz_unit_copy7_phase ? recip_f32_ftz_unit_y : scale_x;
+        mul_f32_ftz_unit_copy7_b <= mul_f32_ftz_unit_copy7_phase ? scale_y : mul_mul_add_f32_ftz_unit_copy3_y;
+        mul_f32_ftz_unit_copy8_a <= mul_f32_ftz_unit_copy8_phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : mul_f32_ftz_unit_copy5_y;
+        mul_f32_ftz_unit_copy8_b <= mul_f32_ftz_unit_copy8_phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : first_x_chosen_d43;
+        mul_f32_ftz_unit_copy9_a <= mul_f32_ftz_unit_copy9_phase ? f_d3 : v_y_chosen_d14;
+        mul_f32_ftz_unit_copy9_b <= mul_f32_ftz_unit_copy9_phase ? first_sum_sum_d12 : recip_f32_ftz_unit_y;
+        mul_f32_ftz_unit_copy10_a <= mul_f32_ftz_unit_copy10_phase ? filter_radius : scale_y;
+        mul_f32_ftz_unit_copy10_b <= mul_f32_ftz_unit_copy10_phase ? 32'h3fb60000 : mul_mul_add_f32_ftz_unit_copy5_y;
+        mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_phase ? delta_d1 : scale_y;
+        mul_f32_ftz_unit_copy11_b <= mul_f32_ftz_unit_copy11_phase ? recip_f32_ftz_unit_copy2_y : mul_mul_add_f32_ftz_unit_copy6_y;
+        mul_f32_ftz_unit_copy12_a <= mul_f32_ftz_unit_copy12_phase ? delta_times_one_over_b_depth_d1 : mul_f32_ftz_unit_copy7_y;
+        mul_f32_ftz_unit_copy12_b <= mul_f32_ftz_unit_copy12_phase ? sight_near_out_joined : first_y_chosen_d43;
+        mul_f32_ftz_unit_copy13_a <= mul_f32_ftz_unit_copy13_phase ? one_minus_depth_a_d40 : 32'h3f800008;
+        mul_f32_ftz_unit_copy13_b <= mul_f32_ftz_unit_copy13_phase ? delta_times_one_over_b_depth_d1 : add_f32_ftz_unit_copy8_y;
+        mul_mul_add_f32_ftz_unit_a <= mul_mul_add_f32_ftz_unit_a_choice;
+        mul_mul_add_f32_ftz_unit_b <= mul_mul_add_f32_ftz_unit_a_choice;
+        mul_mul_add_f32_ftz_unit_c <= mul_mul_add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy2_y : f_d4;
+        mul_mul_add_f32_ftz_unit_d <= mul_mul_add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy2_y : h_x_sum_d13;
+        mul_mul_add_f32_ftz_unit_copy2_a <= mul_mul_add_f32_ftz_unit_copy2_phase ? a_x_joined_d14 : mul_f32_ftz_unit_copy6_y;
+        mul_mul_add_f32_ftz_unit_copy2_b <= mul_mul_add_f32_ftz_unit_copy2_phase ? r_d4 : mul_f32_ftz_unit_copy6_y;
+        mul_mul_add_f32_ftz_unit_copy2_c <= mul_mul_add_f32_ftz_unit_copy2_phase ? minus_mul_f32_ftz_unit_y : f_d4;
+        mul_mul_add_f32_ftz_unit_copy2_d <= mul_mul_add_f32_ftz_unit_copy2_phase ? mul_f32_ftz_unit_copy5_y : h_y_sum_d13;
+        mul_mul_add_f32_ftz_unit_copy3_a <= mul_mul_add_f32_ftz_unit_copy3_phase ? b_x_joined_d14 : unit_delta_joined_d2;
+        mul_mul_add_f32_ftz_unit_copy3_b <= mul_mul_add_f32_ftz_unit_copy3_phase ? r_d4 : mx_joined_d1;
+        mul_mul_add_f32_ftz_unit_copy3_c <= mul_mul_add_f32_ftz_unit_copy3_phase ? minus_mul_f32_ftz_unit_copy2_y : minus_unit_delta_joined_d2;
+        mul_mul_add_f32_ftz_unit_copy3_d <= mul_mul_add_f32_ftz_unit_copy3_phase ? mul_f32_ftz_unit_copy5_y : mx_joined_d1_copy2;
+        mul_mul_add_f32_ftz_unit_copy4_a <= mul_mul_add_f32_ftz_unit_copy4_phase ? alpha_d11 : a_x_d1;
+        mul_mul_add_f32_ftz_unit_copy4_b <= a_x_d1;
+        mul_mul_add_f32_ftz_unit_copy4_c <= mul_mul_add_f32_ftz_unit_copy4_phase ? beta_d11 : b_x_d1;
+        mul_mul_add_f32_ftz_unit_copy4_d <= b_x_d1;
+        mul_mul_add_f32_ftz_unit_copy5_a <= mul_mul_add_f32_ftz_unit_copy5_phase ? a_y_joined_d14 : unit_delta_joined_d2_copy2;
+        mul_mul_add_f32_ftz_unit_copy5_b <= mul_mul_add_f32_ftz_unit_copy5_phase ? r_d4 : mx_joined_d1_copy2;
+        mul_mul_add_f32_ftz_unit_copy5_c <= mul_mul_add_f32_ftz_unit_copy5_phase ? minus_mul_f32_ftz_unit_y : minus_unit_delta_joined_d2_copy2;
+        mul_mul_add_f32_ftz_unit_copy5_d <= mul_mul_add_f32_ftz_unit_copy5_phase ? mul_f32_ftz_unit_copy9_y : mx_joined_d1;
+        mul_mul_add_f32_ftz_unit_copy6_a <= mul_mul_add_f32_ftz_unit_copy6_phase ? delay_14_from_1_copy2_out : a_x_d1;
+        mul_mul_add_f32_ftz_unit_copy6_b <= mul_mul_add_f32_ftz_unit_copy6_phase ? r_d4 : a_y_d1;
+        mul_mul_add_f32_ftz_unit_copy6_c <= mul_mul_add_f32_ftz_unit_copy6_phase ? minus_mul_f32_ftz_unit_copy2_y : b_x_d1;
+        mul_mul_add_f32_ftz_unit_copy6_d <= mul_mul_add_f32_ftz_unit_copy6_phase ? mul_f32_ftz_unit_copy9_y : b_y_d1;
+        mul_mul_add_f32_ftz_unit_copy7_a <= mul_mul_add_f32_ftz_unit_copy7_phase ? alpha_d11 : a_y_d1;
+        mul_mul_add_f32_ftz_unit_copy7_b <= a_y_d1;
+        mul_mul_add_f32_ftz_unit_copy7_c <= mul_mul_add_f32_ftz_unit_copy7_phase ? beta_d11 : b_y_d1;
+        mul_mul_add_f32_ftz_unit_copy7_d <= b_y_d1;
+        mul_add_f32_ftz_unit_a <= mul_add_f32_ftz_unit_phase ? scale_x : b_depth_d30;
+        mul_add_f32_ftz_unit_b <= mul_add_f32_ftz_unit_phase ? mul_f32_ftz_unit_copy5_y : mul_f32_ftz_unit_y;
+        mul_add_f32_ftz_unit_c <= mul_add_f32_ftz_unit_phase ? origin_x : delay_29_from_0_out;
+        mul_add_f32_ftz_unit_copy2_a <= mul_add_f32_ftz_unit_copy2_phase ? scale_y : half_depth;
+        mul_add_f32_ftz_unit_copy2_b <= mul_add_f32_ftz_unit_copy2_phase ? mul_f32_ftz_unit_copy9_y : epsilon_scale;
+        mul_add_f32_ftz_unit_copy2_c <= mul_add_f32_ftz_unit_copy2_phase ? origin_y : epsilon_bias;
+        mul_add_f32_ftz_unit_copy3_a <= mul_add_f32_ftz_unit_copy3_phase ? {~unit_delta_joined_d1[31], unit_delta_joined_d1[30:0]} : mul_f32_ftz_unit_copy4_y;
+        mul_add_f32_ftz_unit_copy3_b <= mul_add_f32_ftz_unit_copy3_phase ? unit_delta_joined_d1_copy2 : mul_f32_ftz_unit_copy6_y;
+        mul_add_f32_ftz_unit_copy3_c <= mul_add_f32_ftz_unit_copy3_phase ? unit_delta_product_d1 : mul_f32_ftz_unit_copy9_y;
+        sqrt_f32_ftz_unit_a <= sqrt_f32_ftz_unit_phase ? mul_mul_add_f32_ftz_unit_y : q_d6;
+        sqrt_f32_ftz_unit_copy2_a <= sqrt_f32_ftz_unit_copy2_phase ? mul_mul_add_f32_ftz_unit_copy2_y : add_f32_ftz_unit_copy10_y;
+        sqrt_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy11_y;
+        min_f32_ftz_unit_a <= min_f32_ftz_unit_phase ? 32'h3f800000 : 32'h45fff800;
+        min_f32_ftz_unit_b <= min_f32_ftz_unit_phase ? {1'd0, mul_f32_ftz_unit_copy3_y[30:0]} : last_x_chosen_copy4;
+        min_f32_ftz_unit_copy2_a <= min_f32_ftz_unit_copy2_phase ? first_x_chosen_copy9 : first_y_chosen_copy9;
+        min_f32_ftz_unit_copy2_b <= min_f32_ftz_unit_copy2_phase ? add_f32_ftz_unit_copy9_y : add_f32_ftz_unit_copy7_y;
         min_f32_ftz_unit_copy3_a <= min_f32_ftz_unit_copy3_phase ? 32'h47000000 : 32'h45fff800;
         min_f32_ftz_unit_copy3_b <= min_f32_ftz_unit_copy3_phase ? first_sum_chosen : last_y_chosen_copy4;
         min_f32_ftz_unit_copy4_a <= min_f32_ftz_unit_copy4_phase ? 32'h47000000 : 32'h47000000;
@@ -10752,185 +10518,161 @@ module splat_setup (
         to_fixed_f32_ftz_u21q8_unit_copy2_a <= to_fixed_f32_ftz_u21q8_unit_copy2_phase ? last_y_greater_d1 : max_f32_ftz_unit_copy3_y;
         to_fixed_f32_ftz_u23q8_unit_a <= to_fixed_f32_ftz_u23q8_unit_phase ? first_difference_lesser_d1 : min_f32_ftz_unit_copy3_y;
         to_fixed_f32_ftz_u23q8_unit_copy2_a <= min_f32_ftz_unit_copy4_y;
-        to_fixed_f32_ftz_s22q8_unit_a <= to_fixed_f32_ftz_s22q8_unit_phase ? center_y_d1_copy2 : add_f32_ftz_unit_copy6_y;
+        to_fixed_f32_ftz_s22q8_unit_a <= to_fixed_f32_ftz_s22q8_unit_phase ? center_y_d1_copy2 : mul_add_f32_ftz_unit_y;
         to_fixed_f32_ftz_u24q24_unit_a <= to_fixed_f32_ftz_u24q24_unit_phase ? depth_high_out_greater_d1 : max_f32_ftz_unit_copy6_y;
         to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy7_y;
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= {spread_half_d4, turned};
-        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (phases_1[0]) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {middle_depth_d1, mul_mul_add_f32_ftz_unit_y};
+        end
+        if (phases_1[0]) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[0]) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= {edge_on_lesser_below_32, sight_disc_out_d62, add_f32_ftz_unit_y, not_turned_d18};
+            delay_7_from_0[delay_7_from_0_pointer] <= {sight_disc_out_d61, lt_f32_ftz_unit_y};
         end
         if (phases_1[0]) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_2[0]) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {mx_sum_copy3, largest_sum, mul_f32_ftz_unit_copy3_y};
+            delay_8_from_0[delay_8_from_0_pointer] <= {largest_greater_plus_154, largest_sum, delay_29_from_0_out};
         end
         if (phases_2[0]) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_9_from_0[delay_9_from_0_pointer] <= largest_sum_copy3;
-        if (phases_1[0]) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-    end
-    always @(posedge clk) begin
         if (phases_3[0]) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {
-                first_y, sight_disc_out_d51, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2,
-                lowered_chosen_sign_d4_copy2, a_y_chosen_copy2, lowered_chosen_sign_d4, a_x_chosen_copy2
+            delay_9_from_0[delay_9_from_0_pointer] <= {
+                mx_sum_copy3, largest_sum_copy3, mul_mul_add_f32_ftz_unit_copy7_y, mul_mul_add_f32_ftz_unit_copy4_y
             };
         end
-        if (phases_3[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        if (phases_3[0]) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_4[0]) begin
-            delay_11_from_0_copy2[delay_11_from_0_copy2_pointer] <= {
-                3'd0, mul_f32_ftz_unit_copy2_y[30:23], lowered_chosen_sign_d4_copy6, beta_chosen_copy2,
-                lowered_chosen_sign_d4_copy5, b_y_chosen_copy2, lowered_chosen_sign_d4_copy4, b_x_chosen_copy2
+            delay_10_from_0[delay_10_from_0_pointer] <= {
+                b_y_sign_d1, b_y_bits_d1_copy2, b_y_bits_is_255_d1, b_x_sign_d1, b_x_bits_d1_copy2,
+                b_x_bits_is_255_d1, a_y_sign_d1, a_y_bits_d1_copy2, a_y_bits_is_255_d1, a_x_sign_d1,
+                a_x_bits_d1_copy2, a_x_bits_is_255_d1, sight_disc_out_d51
             };
         end
-        if (phases_4[0]) begin
-            delay_11_from_0_copy2_out <= delay_11_from_0_copy2[delay_11_from_0_copy2_pointer];
+        if (phases_4[0]) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) delay_11_from_0[delay_11_from_0_pointer] <= first_y;
+        if (phases_1[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) begin
+            delay_12_from_0[delay_12_from_0_pointer] <= {last_x, first_x, le_f32_ftz_unit_copy3_y};
         end
+        if (phases_1[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_5[0]) begin
-            delay_11_from_0_copy3[delay_11_from_0_copy3_pointer] <= {3'd0, mul_f32_ftz_unit_y[30:23], b_depth_d8, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+            delay_14_from_0[delay_14_from_0_pointer] <= {q_d6, beyond_near_and_not_turned, v_y_chosen_copy2, v_x_chosen_copy2};
         end
-        if (phases_5[0]) begin
-            delay_11_from_0_copy3_out <= delay_11_from_0_copy3[delay_11_from_0_copy3_pointer];
-        end
+        if (phases_5[0]) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_2[0]) begin
-            delay_12_from_0[delay_12_from_0_pointer] <= {not_zero_is_alpha_bits, not_zero_is_beta_bits, last_x, first_x, b_depth_d19, delay_30_from_0_out};
+            delay_18_from_0[delay_18_from_0_pointer] <= to_fixed_f32_ftz_u24q24_unit_copy2_y;
         end
-        if (phases_2[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (phases_2[0]) delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_13_from_0[delay_13_from_0_pointer] <= q_d7;
-        if (phases_1[0]) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_6[0]) begin
-            delay_15_from_0[delay_15_from_0_pointer] <= {v_y_chosen_copy2, v_x_chosen_copy2};
-        end
-        if (phases_6[0]) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_2[0]) delay_16_from_0[delay_16_from_0_pointer] <= whole_d43;
-        if (phases_2[0]) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+        if (phases_6[0]) delay_20_from_0[delay_20_from_0_pointer] <= {center_y_d23, center_x_d23};
+        if (phases_6[0]) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_7[0]) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= {last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y, not_turned_d1};
+            delay_22_from_0[delay_22_from_0_pointer] <= {center_y_d44, center_y_d1_copy2};
         end
-        if (phases_7[0]) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        if (phases_7[0]) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_8[0]) begin
-            delay_17_from_0_copy2[delay_17_from_0_copy2_pointer] <= {last_y_chosen_copy2, first_y_chosen_copy8, add_f32_ftz_unit_copy12_y};
+            delay_23_from_0[delay_23_from_0_pointer] <= {center_x_d43, mul_add_f32_ftz_unit_y};
         end
-        if (phases_8[0]) begin
-            delay_17_from_0_copy2_out <= delay_17_from_0_copy2[delay_17_from_0_copy2_pointer];
-        end
+        if (phases_8[0]) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_6[0]) begin
-            delay_17_from_0_copy3[delay_17_from_0_copy3_pointer] <= to_fixed_f32_ftz_u24q24_unit_copy2_y;
+        if (phases_2[0]) begin
+            delay_28_from_0[delay_28_from_0_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
         end
-        if (phases_6[0]) begin
-            delay_17_from_0_copy3_out <= delay_17_from_0_copy3[delay_17_from_0_copy3_pointer];
+        if (phases_2[0]) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_3[0]) delay_29_from_0[delay_29_from_0_pointer] <= add_f32_ftz_unit_y;
+        if (phases_3[0]) delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) begin
+            delay_32_from_0[delay_32_from_0_pointer] <= {all_before_far, beyond_near};
         end
+        if (phases_1[0]) delay_32_from_0_out <= delay_32_from_0[delay_32_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[0]) begin
+            delay_36_from_0[delay_36_from_0_pointer] <= beyond_near_and_not_turned_d17;
+        end
+        if (phases_1[0]) delay_36_from_0_out <= delay_36_from_0[delay_36_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_9[0]) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {center_y_d24, delay_24_from_0_out};
+            delay_39_from_0[delay_39_from_0_pointer] <= {one_minus_depth_a_d1, half_depth_chosen};
         end
-        if (phases_9[0]) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (phases_9[0]) delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_10[0]) begin
-            delay_23_from_0[delay_23_from_0_pointer] <= {center_y_d44, center_y_d1_copy2, center_x_d44};
+            delay_43_from_0[delay_43_from_0_pointer] <= {mul_f32_ftz_unit_copy13_y[30:0], mul_f32_ftz_unit_copy12_y[30:0]};
         end
-        if (phases_10[0]) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_9[0]) delay_24_from_0[delay_24_from_0_pointer] <= add_f32_ftz_unit_copy6_y;
-        if (phases_9[0]) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_3[0]) delay_25_from_0[delay_25_from_0_pointer] <= lowered_d1;
-        if (phases_3[0]) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+        if (phases_10[0]) delay_43_from_0_out <= delay_43_from_0[delay_43_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_11[0]) begin
-            delay_28_from_0[delay_28_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y};
+            delay_50_from_0[delay_50_from_0_pointer] <= {ay_out, ax_out, delta_d1, sight_disc_out};
         end
-        if (phases_11[0]) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_2[0]) delay_30_from_0[delay_30_from_0_pointer] <= whole_d1;
-        if (phases_2[0]) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        if (phases_11[0]) delay_50_from_0_out <= delay_50_from_0[delay_50_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_12[0]) begin
-            delay_31_from_0[delay_31_from_0_pointer] <= {all_before_far, 1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+            delay_51_from_0[delay_51_from_0_pointer] <= {mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
         end
-        if (phases_12[0]) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+        if (phases_12[0]) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_4[0]) delay_35_from_0[delay_35_from_0_pointer] <= turned_d5;
-        if (phases_4[0]) delay_35_from_0_out <= delay_35_from_0[delay_35_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_4[0]) begin
-            delay_37_from_0[delay_37_from_0_pointer] <= {visible_unequal_copy2, turned_and_lowered_chosen_sign};
-        end
-        if (phases_4[0]) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_12[0]) delay_40_from_0[delay_40_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
-        if (phases_12[0]) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_5[0]) begin
-            delay_51_from_0[delay_51_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7, sight_disc_out};
-        end
-        if (phases_5[0]) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_13[0]) begin
-            delay_52_from_0[delay_52_from_0_pointer] <= {ay_out, ax_out, delay_35_from_0_out};
-        end
-        if (phases_13[0]) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
-    end
-    always @(posedge clk) begin
+        if (phases_6[0]) delay_51_from_0_copy2[delay_51_from_0_copy2_pointer] <= my;
         if (phases_6[0]) begin
-            delay_55_from_0[delay_55_from_0_pointer] <= {doubtful_or_visible_unequal, sight_negative_out, edge_on};
+            delay_51_from_0_copy2_out <= delay_51_from_0_copy2[delay_51_from_0_copy2_pointer];
         end
-        if (phases_6[0]) delay_55_from_0_out <= delay_55_from_0[delay_55_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_5[0]) delay_57_from_0[delay_57_from_0_pointer] <= before_far;
-        if (phases_5[0]) delay_57_from_0_out <= delay_57_from_0[delay_57_from_0_pointer];
+        if (phases_2[0]) delay_53_from_0[delay_53_from_0_pointer] <= sight_negative_out_d1;
+        if (phases_2[0]) delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_6[0]) delay_64_from_0[delay_64_from_0_pointer] <= first_sum_both;
-        if (phases_6[0]) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
+        if (phases_4[0]) delay_56_from_0[delay_56_from_0_pointer] <= before_far;
+        if (phases_4[0]) delay_56_from_0_out <= delay_56_from_0[delay_56_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_4[0]) delay_63_from_0[delay_63_from_0_pointer] <= first_sum_both;
+        if (phases_4[0]) delay_63_from_0_out <= delay_63_from_0[delay_63_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[1]) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= {middle_depth, lt_f32_ftz_unit_y};
+            delay_5_from_1[delay_5_from_1_pointer] <= {spread_half_d3, mul_add_f32_ftz_unit_y};
         end
-        if (phases_1[1]) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
+        if (phases_1[1]) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[1]) delay_6_from_1[delay_6_from_1_pointer] <= not_turned_d18;
+        if (phases_1[1]) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[1]) begin
-            delay_8_from_1[delay_8_from_1_pointer] <= {largest_greater_plus_154, delay_31_from_1_out};
+            delay_8_from_1[delay_8_from_1_pointer] <= {edge_on_lesser_below_32, mul_f32_ftz_unit_copy3_y};
         end
         if (phases_1[1]) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
     end
@@ -10941,120 +10683,135 @@ module splat_setup (
         if (phases_2[1]) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
+        if (phases_1[1]) begin
+            delay_10_from_1[delay_10_from_1_pointer] <= {not_zero_is_b_y_bits_d1, not_zero_is_b_x_bits_d1, not_zero_is_a_y_bits_d1, not_zero_is_a_x_bits_d1};
+        end
+        if (phases_1[1]) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+    end
+    always @(posedge clk) begin
         if (phases_3[1]) begin
-            delay_10_from_1[delay_10_from_1_pointer] <= {
-                b_y_sign_d1, b_y_bits_is_255_d1, not_zero_is_b_y_bits_d1, b_x_sign_d1, b_x_bits_is_255_d1,
-                not_zero_is_b_x_bits_d1, a_y_sign_d1, a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1,
-                a_x_bits_is_255_d1, not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy9_y,
-                add_f32_ftz_unit_copy8_y
+            delay_11_from_1[delay_11_from_1_pointer] <= {
+                visible_both_copy2, 3'd0, mul_f32_ftz_unit_copy2_y[30:23], mul_f32_ftz_unit_y,
+                lowered_chosen_sign_d4_copy6, beta_chosen_copy2, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2
             };
         end
-        if (phases_3[1]) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+        if (phases_3[1]) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
     end
     always @(posedge clk) begin
         if (phases_4[1]) begin
-            delay_10_from_1_copy2[delay_10_from_1_copy2_pointer] <= {b_x_bits_d1_copy2, a_y_bits_d1_copy2, a_x_bits_d1_copy2, add_f32_ftz_unit_copy18_y};
+            delay_11_from_1_copy2[delay_11_from_1_copy2_pointer] <= {3'd0, mul_f32_ftz_unit_y[30:23], b_depth_d19, b_depth_d8, mul_f32_ftz_unit_copy2_y};
         end
         if (phases_4[1]) begin
-            delay_10_from_1_copy2_out <= delay_10_from_1_copy2[delay_10_from_1_copy2_pointer];
+            delay_11_from_1_copy2_out <= delay_11_from_1_copy2[delay_11_from_1_copy2_pointer];
         end
     end
     always @(posedge clk) begin
         if (phases_2[1]) begin
-            delay_10_from_1_copy3[delay_10_from_1_copy3_pointer] <= {add_f32_ftz_unit_copy27_y, b_y_bits_d1_copy2};
+            delay_12_from_1[delay_12_from_1_pointer] <= {mul_mul_add_f32_ftz_unit_copy6_y, not_zero_is_alpha_bits, not_zero_is_beta_bits, last_y, whole_d30};
         end
-        if (phases_2[1]) begin
-            delay_10_from_1_copy3_out <= delay_10_from_1_copy3[delay_10_from_1_copy3_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) delay_11_from_1[delay_11_from_1_pointer] <= visible_both_copy2;
-        if (phases_1[1]) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) delay_12_from_1[delay_12_from_1_pointer] <= last_y;
-        if (phases_1[1]) delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) begin
-            delay_14_from_1[delay_14_from_1_pointer] <= {le_f32_ftz_unit_copy2_y, beyond_near_and_not_turned};
-        end
-        if (phases_1[1]) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
+        if (phases_2[1]) delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
     end
     always @(posedge clk) begin
         if (phases_5[1]) begin
-            delay_17_from_1[delay_17_from_1_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
+            delay_13_from_1[delay_13_from_1_pointer] <= {mul_mul_add_f32_ftz_unit_copy7_y, mul_mul_add_f32_ftz_unit_copy4_y};
         end
-        if (phases_5[1]) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_5[1]) delay_26_from_1[delay_26_from_1_pointer] <= reaches_near_sum_d1_copy2;
-        if (phases_5[1]) delay_26_from_1_out <= delay_26_from_1[delay_26_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_5[1]) delay_31_from_1[delay_31_from_1_pointer] <= add_f32_ftz_unit_copy3_y;
-        if (phases_5[1]) delay_31_from_1_out <= delay_31_from_1[delay_31_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) delay_32_from_1[delay_32_from_1_pointer] <= beyond_near;
-        if (phases_1[1]) delay_32_from_1_out <= delay_32_from_1[delay_32_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) begin
-            delay_37_from_1[delay_37_from_1_pointer] <= beyond_near_and_not_turned_d18;
-        end
-        if (phases_1[1]) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_6[1]) delay_41_from_1[delay_41_from_1_pointer] <= half_depth_chosen;
-        if (phases_6[1]) delay_41_from_1_out <= delay_41_from_1[delay_41_from_1_pointer];
+        if (phases_5[1]) delay_13_from_1_out <= delay_13_from_1[delay_13_from_1_pointer];
     end
     always @(posedge clk) begin
         if (phases_6[1]) begin
-            delay_43_from_1[delay_43_from_1_pointer] <= {first_y_chosen_copy5, first_x_chosen_copy5};
+            delay_14_from_1[delay_14_from_1_pointer] <= {
+                lowered_chosen_sign_d4_copy4, b_x_chosen_copy2, lowered_chosen_sign_d4_copy2, a_y_chosen_copy2,
+                lowered_chosen_sign_d4, a_x_chosen_copy2
+            };
         end
-        if (phases_6[1]) delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+        if (phases_6[1]) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_5[1]) begin
+            delay_14_from_1_copy2[delay_14_from_1_copy2_pointer] <= {lowered_chosen_sign_d4_copy5, b_y_chosen_copy2};
+        end
+        if (phases_5[1]) begin
+            delay_14_from_1_copy2_out <= delay_14_from_1_copy2[delay_14_from_1_copy2_pointer];
+        end
     end
     always @(posedge clk) begin
         if (phases_7[1]) begin
-            delay_45_from_1[delay_45_from_1_pointer] <= {mul_f32_ftz_unit_copy30_y[30:0], mul_f32_ftz_unit_copy29_y[30:0]};
+            delay_16_from_1[delay_16_from_1_pointer] <= {last_y_chosen_copy2, last_x_chosen_copy2, first_x_chosen_copy8, whole_d43};
         end
-        if (phases_7[1]) delay_45_from_1_out <= delay_45_from_1[delay_45_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[1]) begin
-            delay_51_from_1[delay_51_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7};
-        end
-        if (phases_1[1]) delay_51_from_1_out <= delay_51_from_1[delay_51_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_7[1]) delay_52_from_1[delay_52_from_1_pointer] <= delta_d1;
-        if (phases_7[1]) delay_52_from_1_out <= delay_52_from_1[delay_52_from_1_pointer];
+        if (phases_7[1]) delay_16_from_1_out <= delay_16_from_1[delay_16_from_1_pointer];
     end
     always @(posedge clk) begin
         if (phases_8[1]) begin
-            delay_53_from_1[delay_53_from_1_pointer] <= {mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
+            delay_17_from_1[delay_17_from_1_pointer] <= {first_y_chosen_copy8, add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy3_y, not_turned_d1};
         end
-        if (phases_8[1]) delay_53_from_1_out <= delay_53_from_1[delay_53_from_1_pointer];
+        if (phases_8[1]) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_9[1]) delay_53_from_1_copy2[delay_53_from_1_copy2_pointer] <= my;
+        if (phases_2[1]) begin
+            delay_18_from_1[delay_18_from_1_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
+        end
+        if (phases_2[1]) delay_18_from_1_out <= delay_18_from_1[delay_18_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_3[1]) delay_24_from_1[delay_24_from_1_pointer] <= lowered_d1;
+        if (phases_3[1]) delay_24_from_1_out <= delay_24_from_1[delay_24_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_9[1]) delay_25_from_1[delay_25_from_1_pointer] <= add_f32_ftz_unit_y;
+        if (phases_9[1]) delay_25_from_1_out <= delay_25_from_1[delay_25_from_1_pointer];
+    end
+    always @(posedge clk) begin
         if (phases_9[1]) begin
-            delay_53_from_1_copy2_out <= delay_53_from_1_copy2[delay_53_from_1_copy2_pointer];
+            delay_27_from_1[delay_27_from_1_pointer] <= {add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy17_y};
         end
+        if (phases_9[1]) delay_27_from_1_out <= delay_27_from_1[delay_27_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_9[1]) delay_61_from_1[delay_61_from_1_pointer] <= first_sum_sum_copy2;
-        if (phases_9[1]) delay_61_from_1_out <= delay_61_from_1[delay_61_from_1_pointer];
+        if (phases_10[1]) begin
+            delay_30_from_1[delay_30_from_1_pointer] <= {1'd0, mul_f32_ftz_unit_copy3_y[30:0], whole};
+        end
+        if (phases_10[1]) delay_30_from_1_out <= delay_30_from_1[delay_30_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_9[1]) delay_62_from_1[delay_62_from_1_pointer] <= first_difference_difference;
-        if (phases_9[1]) delay_62_from_1_out <= delay_62_from_1[delay_62_from_1_pointer];
+        if (phases_1[1]) delay_36_from_1[delay_36_from_1_pointer] <= turned_d5;
+        if (phases_1[1]) delay_36_from_1_out <= delay_36_from_1[delay_36_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_4[1]) begin
+            delay_37_from_1[delay_37_from_1_pointer] <= {visible_unequal_copy2, turned_and_lowered_chosen_sign};
+        end
+        if (phases_4[1]) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_10[1]) begin
+            delay_43_from_1[delay_43_from_1_pointer] <= {first_y_chosen_copy5, first_x_chosen_copy5};
+        end
+        if (phases_10[1]) delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_5[1]) begin
+            delay_50_from_1[delay_50_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7, last_x_chosen, first_x_chosen_copy7, delay_36_from_1_out};
+        end
+        if (phases_5[1]) delay_50_from_1_out <= delay_50_from_1[delay_50_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_4[1]) begin
+            delay_54_from_1[delay_54_from_1_pointer] <= {doubtful_or_visible_unequal, edge_on};
+        end
+        if (phases_4[1]) delay_54_from_1_out <= delay_54_from_1[delay_54_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_11[1]) delay_60_from_1[delay_60_from_1_pointer] <= first_sum_sum_copy2;
+        if (phases_11[1]) delay_60_from_1_out <= delay_60_from_1[delay_60_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_11[1]) delay_61_from_1[delay_61_from_1_pointer] <= first_difference_difference;
+        if (phases_11[1]) delay_61_from_1_out <= delay_61_from_1[delay_61_from_1_pointer];
     end
 
     wire _unused = &{
-        1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], alpha_d13[30:23], ax_out_chosen[10:8],
-        ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], beta_d13[30:23],
+        1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], alpha_d12[30:23], ax_out_chosen[10:8],
+        ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], beta_d12[30:23],
         bx_out_chosen[10:8], by_out_chosen[10:8], delta_chosen[10:8], first_difference_sum_copy2[7:0],
         first_sum_sum_copy3[7:0], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
         last_difference_sum_copy3[7:0], last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9],
@@ -11081,54 +10838,43 @@ module splat_setup (
     wire check_both_11 = check_both_10 & (phases_32 == phases_1) & (phases_33 == phases_1);
     wire check_both_12 = check_both_11 & (phases_34 == phases_1) & (phases_35 == phases_1);
     wire check_both_13 = check_both_12 & (phases_36 == phases_1) & (phases_37 == phases_1);
-    wire check_both_14 = check_both_13 & (phases_38 == phases_1) & (phases_39 == phases_1);
-    wire check_both_15 = check_both_14 & (phases_40 == phases_1) & (phases_41 == phases_1);
-    wire check_both_16 = check_both_15 & (phases_42 == phases_1) & (phases_43 == phases_1);
-    wire check_both_17 = check_both_16 & (phases_44 == phases_1) & (~max_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_18 = check_both_17 & (~max_f32_ftz_unit_copy2_phase == phases_1[0]) & (~max_f32_ftz_unit_copy3_phase == phases_1[0]);
-    wire check_both_19 = check_both_18 & (~max_f32_ftz_unit_copy4_phase == phases_1[0]) & (~max_f32_ftz_unit_copy5_phase == phases_1[0]);
-    wire check_both_20 = check_both_19 & (~max_f32_ftz_unit_copy6_phase == phases_1[0]) & (~max_f32_ftz_unit_copy7_phase == phases_1[0]);
-    wire check_both_21 = check_both_20 & (~max_f32_ftz_unit_copy8_phase == phases_1[0]) & (~lt_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_22 = check_both_21 & (~lt_f32_ftz_unit_copy2_phase == phases_1[0]) & (~lt_f32_ftz_unit_copy3_phase == phases_1[0]);
-    wire check_both_23 = check_both_22 & (~lt_f32_ftz_unit_copy4_phase == phases_1[0]) & (~add_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_24 = check_both_23 & (~add_f32_ftz_unit_copy2_phase == phases_1[0]) & (~add_f32_ftz_unit_copy3_phase == phases_1[0]);
-    wire check_both_25 = check_both_24 & (~add_f32_ftz_unit_copy4_phase == phases_1[0]) & (~add_f32_ftz_unit_copy5_phase == phases_1[0]);
-    wire check_both_26 = check_both_25 & (~add_f32_ftz_unit_copy6_phase == phases_1[0]) & (~add_f32_ftz_unit_copy7_phase == phases_1[0]);
-    wire check_both_27 = check_both_26 & (~add_f32_ftz_unit_copy8_phase == phases_1[0]) & (~add_f32_ftz_unit_copy9_phase == phases_1[0]);
-    wire check_both_28 = check_both_27 & (~add_f32_ftz_unit_copy10_phase == phases_1[0]) & (~add_f32_ftz_unit_copy11_phase == phases_1[0]);
-    wire check_both_29 = check_both_28 & (~add_f32_ftz_unit_copy12_phase == phases_1[0]) & (~add_f32_ftz_unit_copy13_phase == phases_1[0]);
-    wire check_both_30 = check_both_29 & (~add_f32_ftz_unit_copy14_phase == phases_1[0]) & (~add_f32_ftz_unit_copy15_phase == phases_1[0]);
-    wire check_both_31 = check_both_30 & (~add_f32_ftz_unit_copy16_phase == phases_1[0]) & (~add_f32_ftz_unit_copy17_phase == phases_1[0]);
-    wire check_both_32 = check_both_31 & (~add_f32_ftz_unit_copy18_phase == phases_1[0]) & (~add_f32_ftz_unit_copy19_phase == phases_1[0]);
-    wire check_both_33 = check_both_32 & (~add_f32_ftz_unit_copy20_phase == phases_1[0]) & (~add_f32_ftz_unit_copy21_phase == phases_1[0]);
-    wire check_both_34 = check_both_33 & (~add_f32_ftz_unit_copy22_phase == phases_1[0]) & (~add_f32_ftz_unit_copy23_phase == phases_1[0]);
-    wire check_both_35 = check_both_34 & (~add_f32_ftz_unit_copy24_phase == phases_1[0]) & (~add_f32_ftz_unit_copy25_phase == phases_1[0]);
-    wire check_both_36 = check_both_35 & (~add_f32_ftz_unit_copy26_phase == phases_1[0]) & (~add_f32_ftz_unit_copy27_phase == phases_1[0]);
-    wire check_both_37 = check_both_36 & (~recip_f32_ftz_unit_phase == phases_1[0]) & (~mul_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_38 = check_both_37 & (~mul_f32_ftz_unit_copy2_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy3_phase == phases_1[0]);
-    wire check_both_39 = check_both_38 & (~mul_f32_ftz_unit_copy4_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy5_phase == phases_1[0]);
-    wire check_both_40 = check_both_39 & (~mul_f32_ftz_unit_copy6_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy7_phase == phases_1[0]);
-    wire check_both_41 = check_both_40 & (~mul_f32_ftz_unit_copy8_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy9_phase == phases_1[0]);
-    wire check_both_42 = check_both_41 & (~mul_f32_ftz_unit_copy10_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy11_phase == phases_1[0]);
-    wire check_both_43 = check_both_42 & (~mul_f32_ftz_unit_copy12_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy13_phase == phases_1[0]);
-    wire check_both_44 = check_both_43 & (~mul_f32_ftz_unit_copy14_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy15_phase == phases_1[0]);
-    wire check_both_45 = check_both_44 & (~mul_f32_ftz_unit_copy16_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy17_phase == phases_1[0]);
-    wire check_both_46 = check_both_45 & (~mul_f32_ftz_unit_copy18_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy19_phase == phases_1[0]);
-    wire check_both_47 = check_both_46 & (~mul_f32_ftz_unit_copy20_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy21_phase == phases_1[0]);
-    wire check_both_48 = check_both_47 & (~mul_f32_ftz_unit_copy22_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy23_phase == phases_1[0]);
-    wire check_both_49 = check_both_48 & (~mul_f32_ftz_unit_copy24_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy25_phase == phases_1[0]);
-    wire check_both_50 = check_both_49 & (~mul_f32_ftz_unit_copy26_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy27_phase == phases_1[0]);
-    wire check_both_51 = check_both_50 & (~mul_f32_ftz_unit_copy28_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy29_phase == phases_1[0]);
-    wire check_both_52 = check_both_51 & (~mul_f32_ftz_unit_copy30_phase == phases_1[0]) & (~sqrt_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_53 = check_both_52 & (~sqrt_f32_ftz_unit_copy2_phase == phases_1[0]) & (~le_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_54 = check_both_53 & (~le_f32_ftz_unit_copy2_phase == phases_1[0]) & (~min_f32_ftz_unit_phase == phases_1[0]);
-    wire check_both_55 = check_both_54 & (~min_f32_ftz_unit_copy2_phase == phases_1[0]) & (~min_f32_ftz_unit_copy3_phase == phases_1[0]);
-    wire check_both_56 = check_both_55 & (~min_f32_ftz_unit_copy4_phase == phases_1[0]) & (~to_fixed_f32_ftz_u21q8_unit_phase == phases_1[0]);
-    wire check_both_57 = check_both_56 & (~to_fixed_f32_ftz_u21q8_unit_copy2_phase == phases_1[0]);
-    wire check_both_58 = check_both_57 & (~to_fixed_f32_ftz_u23q8_unit_phase == phases_1[0]);
-    wire check_both_59 = check_both_58 & (~to_fixed_f32_ftz_u23q8_unit_copy2_phase == phases_1[0]);
-    wire check_both_60 = check_both_59 & (~to_fixed_f32_ftz_s22q8_unit_phase == phases_1[0]);
-    wire check_both_61 = check_both_60 & (~to_fixed_f32_ftz_u24q24_unit_phase == phases_1[0]);
+    wire check_both_14 = check_both_13 & (~max_f32_ftz_unit_phase == phases_1[0]) & (~max_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_15 = check_both_14 & (~max_f32_ftz_unit_copy3_phase == phases_1[0]) & (~max_f32_ftz_unit_copy4_phase == phases_1[0]);
+    wire check_both_16 = check_both_15 & (~max_f32_ftz_unit_copy5_phase == phases_1[0]) & (~max_f32_ftz_unit_copy6_phase == phases_1[0]);
+    wire check_both_17 = check_both_16 & (~max_f32_ftz_unit_copy7_phase == phases_1[0]) & (~max_f32_ftz_unit_copy8_phase == phases_1[0]);
+    wire check_both_18 = check_both_17 & (~add_f32_ftz_unit_phase == phases_1[0]) & (~add_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_19 = check_both_18 & (~add_f32_ftz_unit_copy3_phase == phases_1[0]) & (~add_f32_ftz_unit_copy4_phase == phases_1[0]);
+    wire check_both_20 = check_both_19 & (~add_f32_ftz_unit_copy5_phase == phases_1[0]) & (~add_f32_ftz_unit_copy6_phase == phases_1[0]);
+    wire check_both_21 = check_both_20 & (~add_f32_ftz_unit_copy7_phase == phases_1[0]) & (~add_f32_ftz_unit_copy8_phase == phases_1[0]);
+    wire check_both_22 = check_both_21 & (~add_f32_ftz_unit_copy9_phase == phases_1[0]) & (~add_f32_ftz_unit_copy10_phase == phases_1[0]);
+    wire check_both_23 = check_both_22 & (~add_f32_ftz_unit_copy11_phase == phases_1[0]) & (~add_f32_ftz_unit_copy12_phase == phases_1[0]);
+    wire check_both_24 = check_both_23 & (~add_f32_ftz_unit_copy13_phase == phases_1[0]) & (~add_f32_ftz_unit_copy14_phase == phases_1[0]);
+    wire check_both_25 = check_both_24 & (~add_f32_ftz_unit_copy15_phase == phases_1[0]) & (~add_f32_ftz_unit_copy16_phase == phases_1[0]);
+    wire check_both_26 = check_both_25 & (~add_f32_ftz_unit_copy17_phase == phases_1[0]) & (~recip_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_27 = check_both_26 & (~mul_f32_ftz_unit_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_28 = check_both_27 & (~mul_f32_ftz_unit_copy3_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy4_phase == phases_1[0]);
+    wire check_both_29 = check_both_28 & (~mul_f32_ftz_unit_copy5_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy6_phase == phases_1[0]);
+    wire check_both_30 = check_both_29 & (~mul_f32_ftz_unit_copy7_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy8_phase == phases_1[0]);
+    wire check_both_31 = check_both_30 & (~mul_f32_ftz_unit_copy9_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy10_phase == phases_1[0]);
+    wire check_both_32 = check_both_31 & (~mul_f32_ftz_unit_copy11_phase == phases_1[0]) & (~mul_f32_ftz_unit_copy12_phase == phases_1[0]);
+    wire check_both_33 = check_both_32 & (~mul_f32_ftz_unit_copy13_phase == phases_1[0]) & (~mul_mul_add_f32_ftz_unit_phase == phases_1[0]);
+    wire check_both_34 = check_both_33 & (~mul_mul_add_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_35 = check_both_34 & (~mul_mul_add_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_36 = check_both_35 & (~mul_mul_add_f32_ftz_unit_copy4_phase == phases_1[0]);
+    wire check_both_37 = check_both_36 & (~mul_mul_add_f32_ftz_unit_copy5_phase == phases_1[0]);
+    wire check_both_38 = check_both_37 & (~mul_mul_add_f32_ftz_unit_copy6_phase == phases_1[0]);
+    wire check_both_39 = check_both_38 & (~mul_mul_add_f32_ftz_unit_copy7_phase == phases_1[0]);
+    wire check_both_40 = check_both_39 & (~mul_add_f32_ftz_unit_phase == phases_1[0]) & (~mul_add_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_41 = check_both_40 & (~mul_add_f32_ftz_unit_copy3_phase == phases_1[0]);
+    wire check_both_42 = check_both_41 & (~sqrt_f32_ftz_unit_phase == phases_1[0]) & (~sqrt_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_43 = check_both_42 & (~min_f32_ftz_unit_phase == phases_1[0]) & (~min_f32_ftz_unit_copy2_phase == phases_1[0]);
+    wire check_both_44 = check_both_43 & (~min_f32_ftz_unit_copy3_phase == phases_1[0]) & (~min_f32_ftz_unit_copy4_phase == phases_1[0]);
+    wire check_both_45 = check_both_44 & (~to_fixed_f32_ftz_u21q8_unit_phase == phases_1[0]);
+    wire check_both_46 = check_both_45 & (~to_fixed_f32_ftz_u21q8_unit_copy2_phase == phases_1[0]);
+    wire check_both_47 = check_both_46 & (~to_fixed_f32_ftz_u23q8_unit_phase == phases_1[0]);
+    wire check_both_48 = check_both_47 & (~to_fixed_f32_ftz_u23q8_unit_copy2_phase == phases_1[0]);
+    wire check_both_49 = check_both_48 & (~to_fixed_f32_ftz_s22q8_unit_phase == phases_1[0]);
+    wire check_both_50 = check_both_49 & (~to_fixed_f32_ftz_u24q24_unit_phase == phases_1[0]);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -11153,7 +10899,7 @@ module splat_setup (
         queue_4_in_step: assert (queue_4_out_valid == out_valid);
         queue_5_in_step: assert (queue_5_out_valid == out_valid);
         queue_6_in_step: assert (queue_6_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_61 & (phases_45 == phases_1));
+        phases_are_in_step: assert (check_both_50 & (phases_38 == phases_1));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -11188,7 +10934,7 @@ module splat_setup (
         if (!(queue_6_out_valid == out_valid)) begin
             $display("assertion failed: queue_6_in_step in %m"); $stop;
         end
-        if (!(check_both_61 & (phases_45 == phases_1))) begin
+        if (!(check_both_50 & (phases_38 == phases_1))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -11197,9 +10943,9 @@ module splat_setup (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 97
+// depth = 95
 // width = 124
-module stream_fifo_d97_w124 (
+module stream_fifo_d95_w124 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [123:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [123:0] out_data
@@ -11207,7 +10953,7 @@ module stream_fifo_d97_w124 (
     reg [6:0] held, waiting, write_address, read_address;
     wire [123:0] item;
 
-    wire has_room = ~(held == 7'd97);
+    wire has_room = ~(held == 7'd95);
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -11215,7 +10961,7 @@ module stream_fifo_d97_w124 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(124), .DEPTH(97)) entries (
+    memory_1w1r_unordered #(.WIDTH(124), .DEPTH(95)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -11231,18 +10977,18 @@ module stream_fifo_d97_w124 (
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
-            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+            if (push) write_address <= (write_address == 7'd94) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd94) ? 7'd0 : (read_address + 7'd1);
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 7'd97);
+        held_in_range: assert (held <= 7'd95);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 7'd95)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -11252,9 +10998,9 @@ module stream_fifo_d97_w124 (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 97
+// depth = 95
 // width = 121
-module stream_fifo_d97_w121 (
+module stream_fifo_d95_w121 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [120:0] out_data
@@ -11262,7 +11008,7 @@ module stream_fifo_d97_w121 (
     reg [6:0] held, waiting, write_address, read_address;
     wire [120:0] item;
 
-    wire has_room = ~(held == 7'd97);
+    wire has_room = ~(held == 7'd95);
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -11270,7 +11016,7 @@ module stream_fifo_d97_w121 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(121), .DEPTH(97)) entries (
+    memory_1w1r_unordered #(.WIDTH(121), .DEPTH(95)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -11286,18 +11032,18 @@ module stream_fifo_d97_w121 (
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
-            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+            if (push) write_address <= (write_address == 7'd94) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd94) ? 7'd0 : (read_address + 7'd1);
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 7'd97);
+        held_in_range: assert (held <= 7'd95);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 7'd95)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -11307,9 +11053,9 @@ module stream_fifo_d97_w121 (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 97
+// depth = 95
 // width = 128
-module stream_fifo_d97_w128 (
+module stream_fifo_d95_w128 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [127:0] out_data
@@ -11317,7 +11063,7 @@ module stream_fifo_d97_w128 (
     reg [6:0] held, waiting, write_address, read_address;
     wire [127:0] item;
 
-    wire has_room = ~(held == 7'd97);
+    wire has_room = ~(held == 7'd95);
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -11325,7 +11071,7 @@ module stream_fifo_d97_w128 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(97)) entries (
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(95)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -11341,18 +11087,18 @@ module stream_fifo_d97_w128 (
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
-            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+            if (push) write_address <= (write_address == 7'd94) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd94) ? 7'd0 : (read_address + 7'd1);
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 7'd97);
+        held_in_range: assert (held <= 7'd95);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 7'd95)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -11362,9 +11108,9 @@ module stream_fifo_d97_w128 (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 97
+// depth = 95
 // width = 97
-module stream_fifo_d97_w97 (
+module stream_fifo_d95_w97 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [96:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [96:0] out_data
@@ -11372,7 +11118,7 @@ module stream_fifo_d97_w97 (
     reg [6:0] held, waiting, write_address, read_address;
     wire [96:0] item;
 
-    wire has_room = ~(held == 7'd97);
+    wire has_room = ~(held == 7'd95);
     wire push = in_valid & has_room;
     wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
@@ -11380,7 +11126,7 @@ module stream_fifo_d97_w97 (
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(97), .DEPTH(97)) entries (
+    memory_1w1r_unordered #(.WIDTH(97), .DEPTH(95)) entries (
         .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
@@ -11396,18 +11142,18 @@ module stream_fifo_d97_w97 (
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 7'd96) ? 7'd0 : (write_address + 7'd1);
-            if (fetch) read_address <= (read_address == 7'd96) ? 7'd0 : (read_address + 7'd1);
+            if (push) write_address <= (write_address == 7'd94) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd94) ? 7'd0 : (read_address + 7'd1);
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 7'd97);
+        held_in_range: assert (held <= 7'd95);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-        if (!(held <= 7'd97)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 7'd95)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
@@ -11957,6 +11703,32 @@ module float_sqrt_s26_f32ftz (
         remainder_s6_difference[8], remainder_s7_difference[9], remainder_s8_difference[10],
         remainder_s9_difference[11], significand_s25[25]
     };
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f32-ftz
+module float_mul_add_f32ftz (
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
+    output wire [31:0] y
+);
+    wire [31:0] product_y;
+
+    float_mul_s6_f32ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_add_s6_f32ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(c), .y(y));
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f32-ftz
+module float_mul_mul_add_f32ftz (
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
+    input  wire [31:0] d,
+    output wire [31:0] y
+);
+    wire [31:0] product_y, second_product_y;
+
+    float_mul_s6_f32ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_mul_s6_f32ftz second_product (.clk(clk), .enable(enable), .a(c), .b(d), .y(second_product_y));
+    float_add_s6_f32ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(second_product_y), .y(y));
 endmodule
 
 // Floating-point product.

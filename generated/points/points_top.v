@@ -2508,7 +2508,7 @@ module stream_half_buffer_w121 (
 endmodule
 
 // The block `final` of the program.
-// latency = 110
+// latency = 111
 // initiation_interval = 8
 module process_finish (
     input  wire clk, input wire rst,
@@ -2595,82 +2595,89 @@ module process_finish (
     output wire out_search  // Else it needs the neighbors of its position.
 );
     (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
     reg [95:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
     reg [95:0] delay_13_from_0 [0:11];
     (* ram_style = "distributed" *)
     reg [6:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_5_from_1 [0:3];
+    reg [31:0] delay_5_from_2 [0:3];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_7_from_4 [0:5];
+    reg [31:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_6_from_5 [0:4];
+    reg [63:0] delay_7_from_5 [0:5];
     (* ram_style = "distributed" *)
     reg delay_8_from_5 [0:6];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_8_from_6 [0:6];
     reg [4:0] credits;
     reg [7:0] phases_1;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [31:0] delay_6_from_0_out;
+    reg [7:0] phases_2;
     reg [3:0] delay_12_from_0_pointer;
     reg [95:0] delay_12_from_0_out;
-    reg [7:0] phases_2;
+    reg [7:0] phases_3;
     reg [3:0] delay_13_from_0_pointer;
     reg [95:0] delay_13_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
     reg [6:0] delay_14_from_0_out;
-    reg [1:0] delay_5_from_1_pointer;
-    reg [31:0] delay_5_from_1_out;
-    reg [2:0] delay_7_from_4_pointer;
-    reg [95:0] delay_7_from_4_out;
-    reg [2:0] delay_6_from_5_pointer;
-    reg [63:0] delay_6_from_5_out;
+    reg [1:0] delay_5_from_2_pointer;
+    reg [31:0] delay_5_from_2_out;
+    reg [1:0] delay_5_from_5_pointer;
+    reg [31:0] delay_5_from_5_out;
+    reg [2:0] delay_7_from_5_pointer;
+    reg [63:0] delay_7_from_5_out;
     reg [2:0] delay_8_from_5_pointer;
     reg delay_8_from_5_out;
-    reg [7:0] phases_3;
-    reg [31:0] query_position_x_d1, query_position_y_d1, query_position_z_d1, state_start_x_d1;
+    reg [2:0] delay_8_from_6_pointer;
+    reg [31:0] delay_8_from_6_out, query_position_x_d1, query_position_y_d1;
     reg [7:0] phases_4;
-    reg [31:0] state_start_y_d1, state_start_z_d1, sum_weight_0_d1, sum_weight_1_d1;
+    reg [31:0] query_position_z_d1, state_start_x_d1, state_start_y_d1, state_start_z_d1;
     reg [7:0] phases_5;
-    reg [31:0] sum_weight_2_d1, sum_weight_3_d1, sum_weight_4_d1, sum_weight_5_d1;
+    reg [31:0] sum_weight_0_d1, sum_weight_1_d1, sum_weight_2_d1, sum_weight_3_d1;
     reg [7:0] phases_6;
-    reg [31:0] sum_weight_6_d1, sum_weight_7_d1, sum_points_x_0_d1, sum_points_x_1_d1;
+    reg [31:0] sum_weight_4_d1, sum_weight_5_d1, sum_weight_6_d1, sum_weight_7_d1;
     reg [7:0] phases_7;
-    reg [31:0] sum_points_x_2_d1, sum_points_x_3_d1, sum_points_x_4_d1, sum_points_x_5_d1;
+    reg [31:0] sum_points_x_0_d1, sum_points_x_1_d1, sum_points_x_2_d1, sum_points_x_3_d1;
     reg [7:0] phases_8;
-    reg [31:0] sum_points_x_6_d1, sum_points_x_7_d1, sum_points_y_0_d1, sum_points_y_1_d1;
+    reg [31:0] sum_points_x_4_d1, sum_points_x_5_d1, sum_points_x_6_d1, sum_points_x_7_d1;
     reg [7:0] phases_9;
-    reg [31:0] sum_points_y_2_d1, sum_points_y_3_d1, sum_points_y_4_d1, sum_points_y_5_d1;
+    reg [31:0] sum_points_y_0_d1, sum_points_y_1_d1, sum_points_y_2_d1, sum_points_y_3_d1;
     reg [7:0] phases_10;
-    reg [31:0] sum_points_y_6_d1, sum_points_y_7_d1, sum_points_z_0_d1, sum_points_z_1_d1;
+    reg [31:0] sum_points_y_4_d1, sum_points_y_5_d1, sum_points_y_6_d1, sum_points_y_7_d1;
     reg [7:0] phases_11;
-    reg [31:0] sum_points_z_2_d1, sum_points_z_3_d1, sum_points_z_4_d1, sum_points_z_5_d1;
+    reg [31:0] sum_points_z_0_d1, sum_points_z_1_d1, sum_points_z_2_d1, sum_points_z_3_d1;
     reg [7:0] phases_12;
-    reg [31:0] sum_points_z_6_d1, sum_points_z_7_d1, sum_normals_z_0_d1, sum_normals_z_1_d1;
+    reg [31:0] sum_points_z_4_d1, sum_points_z_5_d1, sum_points_z_6_d1, sum_points_z_7_d1;
     reg [7:0] phases_13;
-    reg [31:0] sum_normals_z_2_d1, sum_normals_z_3_d1, sum_normals_z_4_d1, sum_normals_z_5_d1;
+    reg [31:0] sum_normals_x_6_d1, sum_normals_x_7_d1, sum_normals_z_0_d1, sum_normals_z_1_d1;
     reg [7:0] phases_14;
-    reg [31:0] sum_normals_z_6_d1, sum_normals_z_7_d1, sum_weight_0_plus_sum_weight_1_d1;
-    reg [31:0] sum_weight_2_plus_sum_weight_3_d1, inverse_weight_sum_d1;
+    reg [31:0] sum_normals_z_2_d1, sum_normals_z_3_d1, sum_normals_z_4_d1, sum_normals_z_5_d1;
     reg [7:0] phases_15;
-    reg [31:0] sum_weight_4_plus_sum_weight_5_d1, sum_weight_6_plus_sum_weight_7_d1, inverse_weight_sum_d1_copy2;
-    reg [31:0] inverse_weight_d1, a_x_sum_d1, a_x_sum_d1_copy2, a_x_sum_plus_a_x_sum_d1, a_x_sum_d1_copy3;
-    reg [31:0] a_x_sum_d1_copy4, a_x_sum_plus_a_x_sum_d1_copy2, a_x_sum_d1_copy5, a_x_sum_d2, a_x_sum_d3, a_x_sum_d4;
-    reg [31:0] a_y_sum_d1, a_y_sum_d1_copy2, a_y_sum_plus_a_y_sum_d1, a_y_sum_d1_copy3, a_y_sum_d1_copy4;
+    reg [31:0] sum_normals_z_6_d1, sum_normals_z_7_d1, sum_weight_0_plus_sum_weight_1_d1;
+    reg [31:0] sum_weight_2_plus_sum_weight_3_d1, inverse_weight_sum_d1, sum_weight_4_plus_sum_weight_5_d1;
+    reg [31:0] sum_weight_6_plus_sum_weight_7_d1, inverse_weight_sum_d1_copy2, inverse_weight_d1, a_x_sum_d1;
+    reg [31:0] a_x_sum_d1_copy2, a_x_sum_plus_a_x_sum_d1, a_x_sum_d1_copy3, a_x_sum_d1_copy4;
+    reg [31:0] a_x_sum_plus_a_x_sum_d1_copy2, a_x_sum_d1_copy5, a_x_sum_d2, a_x_sum_d3, a_x_sum_d4, a_y_sum_d1;
+    reg [31:0] a_y_sum_d1_copy2, a_y_sum_plus_a_y_sum_d1, a_y_sum_d1_copy3, a_y_sum_d1_copy4;
     reg [31:0] a_y_sum_plus_a_y_sum_d1_copy2, a_y_sum_d1_copy5, a_y_sum_d2, a_y_sum_d3, a_y_sum_d4, a_z_sum_d1;
     reg [31:0] a_z_sum_d1_copy2, a_z_sum_plus_a_z_sum_d1, a_z_sum_d1_copy3, a_z_sum_d1_copy4;
     reg [31:0] a_z_sum_plus_a_z_sum_d1_copy2, a_z_sum_d1_copy5, a_z_sum_d2, a_z_sum_d3, a_z_sum_d4, a_x_d1, a_x_d2;
-    reg [31:0] a_y_d1, a_y_d2, a_z_d1, a_z_d2, magnitude_sum_d1, magnitude_sum_d1_copy2, magnitude_sum_d1_copy3;
+    reg [31:0] a_y_d1, a_y_d2, a_z_d1, a_z_d2, a_z_d3, magnitude_sum_d1, magnitude_sum_d1_copy2;
+    reg [31:0] magnitude_sum_d1_copy3, magnitude_sum_d1_copy4, magnitude_sum_d1_copy5;
     reg [7:0] phases_16;
-    reg [31:0] magnitude_sum_d1_copy4, magnitude_sum_d1_copy5, magnitude_sum_d1_copy6, magnitude_sum_d1_copy7;
-    reg [31:0] magnitude_d1, n_x_d1, n_x_d2, n_x_d3, n_x_d4, n_y_d1, n_y_d2, n_y_d3, n_y_d4, n_z_d1, n_z_d2, n_z_d3;
-    reg [31:0] n_z_d4, a_x_times_n_x_d1, a_y_times_n_y_d1, a_z_times_n_z_d1, a_z_times_n_z_d2, residual_sum_d1;
-    reg [31:0] residual_d1;
+    reg [31:0] magnitude_sum_d1_copy6, magnitude_sum_d1_copy7, magnitude_sum_d1_copy8, magnitude_sum_d1_copy9;
+    reg [31:0] magnitude_sum_d1_copy10, magnitude_sum_d1_copy11, magnitude_sum_d1_copy12, inverse_length_d1, n_x_d1;
+    reg [31:0] n_x_d2, n_x_d3, n_x_d4, n_y_d1, n_y_d2, n_y_d3, n_y_d4, n_z_d1, n_z_d2, n_z_d3, a_y_times_n_y_d1;
+    reg [31:0] residual_sum_d1, residual_d1;
     reg weighs_d1, weighs_d2, weighs_d3, valid_d1;
     reg [31:0] from_start_x_d1, from_start_y_d1, from_start_z_d1;
     reg [7:0] phases_17;
-    reg [31:0] n_z_times_from_start_z_d1, along_d1, step_y_d1, step_z_d1, normal_x_d1, normal_y_d1, normal_z_d1;
-    reg [7:0] phases_18;
-    reg [31:0] residual_there_d1;
-    reg close_d1, finished_d1;
+    reg [31:0] along_d1, surface_x_d1, surface_z_d1, normal_x_d1, normal_y_d1, normal_z_d1, residual_there_d1;
+    reg finished_d1;
     reg [2:0] add_f32_ftz_unit_phase;
     reg [31:0] add_f32_ftz_unit_a;
     reg [2:0] add_f32_ftz_unit_phase_copy2;
@@ -2699,32 +2706,26 @@ module process_finish (
     reg [31:0] add_f32_ftz_unit_copy7_a;
     reg [2:0] add_f32_ftz_unit_copy7_phase_copy2;
     reg [31:0] add_f32_ftz_unit_copy7_b;
-    reg [2:0] add_f32_ftz_unit_copy8_phase;
-    reg [31:0] add_f32_ftz_unit_copy8_a;
-    reg [2:0] add_f32_ftz_unit_copy8_phase_copy2;
-    reg [31:0] add_f32_ftz_unit_copy8_b;
     reg [2:0] mul_f32_ftz_unit_phase;
     reg [31:0] mul_f32_ftz_unit_a;
     reg [2:0] mul_f32_ftz_unit_phase_copy2;
     reg [31:0] mul_f32_ftz_unit_b;
     reg [2:0] mul_f32_ftz_unit_copy2_phase;
-    reg [31:0] mul_f32_ftz_unit_copy2_a;
-    reg [2:0] mul_f32_ftz_unit_copy2_phase_copy2;
-    reg [31:0] mul_f32_ftz_unit_copy2_b;
-    reg [2:0] mul_f32_ftz_unit_copy3_phase;
-    reg [31:0] mul_f32_ftz_unit_copy3_a;
-    reg [2:0] mul_f32_ftz_unit_copy3_phase_copy2;
-    reg [31:0] mul_f32_ftz_unit_copy3_b;
-    reg [2:0] lt_f32_ftz_unit_phase;
-    reg [31:0] lt_f32_ftz_unit_a, lt_f32_ftz_unit_b;
+    reg [31:0] mul_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_copy2_b;
+    reg [2:0] mul_add_f32_ftz_unit_phase;
+    reg [31:0] mul_add_f32_ftz_unit_a;
+    reg [2:0] mul_add_f32_ftz_unit_phase_copy2;
+    reg [31:0] mul_add_f32_ftz_unit_b;
+    reg [2:0] mul_add_f32_ftz_unit_phase_copy3;
+    reg [31:0] mul_add_f32_ftz_unit_c;
     reg [13:0] in_flight;
     reg left;
 
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
-    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
-    wire [31:0] add_f32_ftz_unit_copy8_y, recip_f32_ftz_unit_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_y, rsqrt_f32_ftz_unit_y;
-    wire lt_f32_ftz_unit_y, le_f32_ftz_unit_y, queue_1_in_ready;
+    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y, recip_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_add_f32_ftz_unit_y, rsqrt_f32_ftz_unit_y;
+    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y, lt_f32_ftz_unit_copy3_y, le_f32_ftz_unit_y;
+    wire queue_1_in_ready;
     wire [102:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
     wire [127:0] queue_2_out_data;
@@ -2732,136 +2733,129 @@ module process_finish (
     wire [99:0] queue_3_out_data;
 
     assign in_ready = ~credits[4] & phases_1[0];
-    wire [31:0] distance = {1'd0, add_f32_ftz_unit_copy4_y[30:0]};
-    wire kept = in_flight[13] & phases_1[6];
-    wire [31:0] query_position_x_d14 = delay_13_from_0_out[31:0];
-    wire [31:0] surface_x = valid_d1 ? add_f32_ftz_unit_copy6_y : query_position_x_d14;
+    wire [31:0] distance = {1'd0, mul_add_f32_ftz_unit_y[30:0]};
+    wire kept = in_flight[13] & phases_2[7];
     wire [31:0] query_position_y_d14 = delay_13_from_0_out[63:32];
-    wire [31:0] surface_y = valid_d1 ? add_f32_ftz_unit_copy7_y : query_position_y_d14;
-    wire [31:0] query_position_z_d14 = delay_13_from_0_out[95:64];
-    wire [31:0] surface_z = valid_d1 ? add_f32_ftz_unit_copy8_y : query_position_z_d14;
+    wire [31:0] surface_y = valid_d1 ? mul_add_f32_ftz_unit_y : query_position_y_d14;
     wire in_valid_and_in_ready = in_valid & in_ready;
-    wire valid = lt_f32_ftz_unit_y & delay_8_from_5_out;
+    wire valid = lt_f32_ftz_unit_copy3_y & delay_8_from_5_out;
+    wire [31:0] query_position_x_d14 = delay_13_from_0_out[31:0];
+    wire [31:0] surface_x = valid_d1 ? mul_add_f32_ftz_unit_y : query_position_x_d14;
+    wire [31:0] query_position_z_d14 = delay_13_from_0_out[95:64];
+    wire [31:0] surface_z = valid_d1 ? add_f32_ftz_unit_copy7_y : query_position_z_d14;
     wire [31:0] normal_x = valid ? n_x_d4 : 32'd0;
     wire [31:0] normal_y = valid ? n_y_d4 : 32'd0;
-    wire [31:0] normal_z = valid ? n_z_d4 : 32'd0;
+    wire [31:0] normal_z = valid ? n_z_d3 : 32'd0;
     wire [31:0] residual_there = valid ? residual_d1 : 32'd0;
     wire invalid = ~valid;
-    wire finished = close_d1 | invalid;
-    wire [31:0] add_f32_ftz_unit_a_choice = add_f32_ftz_unit_phase[1] ? add_f32_ftz_unit_y : add_f32_ftz_unit_phase[0] ? a_x_sum_plus_a_x_sum_d1 : a_x_sum_d1;
-    wire [31:0] add_f32_ftz_unit_a_choice_2 = add_f32_ftz_unit_phase[0] ? sum_points_x_2_d1 : sum_weight_0_plus_sum_weight_1_d1;
-    wire [31:0] add_f32_ftz_unit_a_choice_3 = add_f32_ftz_unit_phase[1] ? add_f32_ftz_unit_a_choice_2 : add_f32_ftz_unit_phase[0] ? sum_weight_0_d1 : in_sum_normals_x_0;
-    wire [31:0] add_f32_ftz_unit_b_choice = add_f32_ftz_unit_phase_copy2[0] ? a_x_sum_plus_a_x_sum_d1_copy2 : a_x_sum_d1_copy2;
-    wire [31:0] add_f32_ftz_unit_b_choice_2 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_copy2_y : add_f32_ftz_unit_b_choice;
-    wire [31:0] add_f32_ftz_unit_b_choice_3 = add_f32_ftz_unit_phase_copy2[0] ? sum_points_x_3_d1 : sum_weight_2_plus_sum_weight_3_d1;
-    wire [31:0] add_f32_ftz_unit_b_choice_4 = add_f32_ftz_unit_phase_copy2[0] ? sum_weight_1_d1 : in_sum_normals_x_1;
-    wire [31:0] add_f32_ftz_unit_b_choice_5 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_b_choice_3 : add_f32_ftz_unit_b_choice_4;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice = add_f32_ftz_unit_copy2_phase[0] ? a_y_sum_plus_a_y_sum_d1 : a_x_sum_d1_copy3;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice_2 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy2_a_choice;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice_3 = add_f32_ftz_unit_copy2_phase[0] ? sum_points_x_4_d1 : sum_weight_4_plus_sum_weight_5_d1;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice_4 = add_f32_ftz_unit_copy2_phase[0] ? sum_weight_2_d1 : in_sum_normals_x_2;
-    wire [31:0] add_f32_ftz_unit_copy2_a_choice_5 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy2_a_choice_3 : add_f32_ftz_unit_copy2_a_choice_4;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice = add_f32_ftz_unit_copy2_phase_copy2[0] ? a_y_sum_plus_a_y_sum_d1_copy2 : a_x_sum_d1_copy4;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice_2 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy2_b_choice;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice_3 = add_f32_ftz_unit_copy2_phase_copy2[0] ? sum_points_x_5_d1 : sum_weight_6_plus_sum_weight_7_d1;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice_4 = add_f32_ftz_unit_copy2_phase_copy2[0] ? sum_weight_3_d1 : in_sum_normals_x_3;
-    wire [31:0] add_f32_ftz_unit_copy2_b_choice_5 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy2_b_choice_3 : add_f32_ftz_unit_copy2_b_choice_4;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice = add_f32_ftz_unit_copy3_phase[0] ? add_f32_ftz_unit_copy5_y : a_x_times_n_x_d1;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice_2 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice : add_f32_ftz_unit_copy3_phase[0] ? a_z_sum_d1 : a_y_sum_d1;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice_3 = add_f32_ftz_unit_copy3_phase[0] ? sum_points_x_6_d1 : inverse_weight_sum_d1;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice_4 = add_f32_ftz_unit_copy3_phase[0] ? sum_weight_4_d1 : in_sum_normals_x_4;
-    wire [31:0] add_f32_ftz_unit_copy3_a_choice_5 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice_3 : add_f32_ftz_unit_copy3_a_choice_4;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice = add_f32_ftz_unit_copy3_phase_copy2[0] ? add_f32_ftz_unit_copy6_y : a_y_times_n_y_d1;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice_2 = add_f32_ftz_unit_copy3_phase_copy2[0] ? a_z_sum_d1_copy2 : a_y_sum_d1_copy2;
+    wire finished = le_f32_ftz_unit_y | invalid;
+    wire [31:0] add_f32_ftz_unit_a_choice = add_f32_ftz_unit_phase[1] ? (add_f32_ftz_unit_phase[0] ? add_f32_ftz_unit_y : a_z_sum_d1) : add_f32_ftz_unit_phase[0] ? a_x_sum_d1_copy3 : sum_points_x_0_d1;
+    wire [31:0] add_f32_ftz_unit_a_choice_2 = add_f32_ftz_unit_phase[0] ? sum_weight_4_plus_sum_weight_5_d1 : sum_weight_0_d1;
+    wire [31:0] add_f32_ftz_unit_a_choice_3 = add_f32_ftz_unit_phase[0] ? sum_normals_x_6_d1 : in_sum_normals_x_0;
+    wire [31:0] add_f32_ftz_unit_a_choice_4 = add_f32_ftz_unit_phase[1] ? add_f32_ftz_unit_a_choice_2 : add_f32_ftz_unit_a_choice_3;
+    wire [31:0] add_f32_ftz_unit_b_choice = add_f32_ftz_unit_phase_copy2[0] ? add_f32_ftz_unit_copy2_y : a_z_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_b_choice_2 = add_f32_ftz_unit_phase_copy2[0] ? a_x_sum_d1_copy4 : sum_points_x_1_d1;
+    wire [31:0] add_f32_ftz_unit_b_choice_3 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_b_choice : add_f32_ftz_unit_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_b_choice_4 = add_f32_ftz_unit_phase_copy2[0] ? sum_weight_6_plus_sum_weight_7_d1 : sum_weight_1_d1;
+    wire [31:0] add_f32_ftz_unit_b_choice_5 = add_f32_ftz_unit_phase_copy2[0] ? sum_normals_x_7_d1 : in_sum_normals_x_1;
+    wire [31:0] add_f32_ftz_unit_b_choice_6 = add_f32_ftz_unit_phase_copy2[1] ? add_f32_ftz_unit_b_choice_4 : add_f32_ftz_unit_b_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice = add_f32_ftz_unit_copy2_phase[0] ? add_f32_ftz_unit_copy4_y : a_z_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_2 = add_f32_ftz_unit_copy2_phase[0] ? a_x_sum_plus_a_x_sum_d1 : sum_points_x_2_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_3 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy2_a_choice : add_f32_ftz_unit_copy2_a_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_4 = add_f32_ftz_unit_copy2_phase[0] ? inverse_weight_sum_d1 : sum_weight_2_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_5 = add_f32_ftz_unit_copy2_phase[0] ? magnitude_sum_d1_copy2 : in_sum_normals_x_2;
+    wire [31:0] add_f32_ftz_unit_copy2_a_choice_6 = add_f32_ftz_unit_copy2_phase[1] ? add_f32_ftz_unit_copy2_a_choice_4 : add_f32_ftz_unit_copy2_a_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice = add_f32_ftz_unit_copy2_phase_copy2[0] ? add_f32_ftz_unit_copy5_y : a_z_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_2 = add_f32_ftz_unit_copy2_phase_copy2[0] ? a_x_sum_plus_a_x_sum_d1_copy2 : sum_points_x_3_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_3 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy2_b_choice : add_f32_ftz_unit_copy2_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_4 = add_f32_ftz_unit_copy2_phase_copy2[0] ? inverse_weight_sum_d1_copy2 : sum_weight_3_d1;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_5 = add_f32_ftz_unit_copy2_phase_copy2[0] ? magnitude_sum_d1_copy3 : in_sum_normals_x_3;
+    wire [31:0] add_f32_ftz_unit_copy2_b_choice_6 = add_f32_ftz_unit_copy2_phase_copy2[1] ? add_f32_ftz_unit_copy2_b_choice_4 : add_f32_ftz_unit_copy2_b_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice = add_f32_ftz_unit_copy3_phase[0] ? add_f32_ftz_unit_copy6_y : a_z_sum_plus_a_z_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_2 = add_f32_ftz_unit_copy3_phase[0] ? a_y_sum_plus_a_y_sum_d1 : a_x_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_3 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice : add_f32_ftz_unit_copy3_a_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_4 = add_f32_ftz_unit_copy3_phase[0] ? sum_points_y_0_d1 : sum_weight_0_plus_sum_weight_1_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_5 = add_f32_ftz_unit_copy3_phase[0] ? magnitude_sum_d1 : in_sum_normals_x_4;
+    wire [31:0] add_f32_ftz_unit_copy3_a_choice_6 = add_f32_ftz_unit_copy3_phase[1] ? add_f32_ftz_unit_copy3_a_choice_4 : add_f32_ftz_unit_copy3_a_choice_5;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice = add_f32_ftz_unit_copy3_phase_copy2[0] ? add_f32_ftz_unit_copy7_y : a_z_sum_plus_a_z_sum_d1_copy2;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_2 = add_f32_ftz_unit_copy3_phase_copy2[0] ? a_y_sum_plus_a_y_sum_d1_copy2 : a_x_sum_d1_copy2;
     wire [31:0] add_f32_ftz_unit_copy3_b_choice_3 = add_f32_ftz_unit_copy3_phase_copy2[1] ? add_f32_ftz_unit_copy3_b_choice : add_f32_ftz_unit_copy3_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice_4 = add_f32_ftz_unit_copy3_phase_copy2[0] ? sum_points_x_7_d1 : inverse_weight_sum_d1_copy2;
-    wire [31:0] add_f32_ftz_unit_copy3_b_choice_5 = add_f32_ftz_unit_copy3_phase_copy2[0] ? sum_weight_5_d1 : in_sum_normals_x_5;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_4 = add_f32_ftz_unit_copy3_phase_copy2[0] ? sum_points_y_1_d1 : sum_weight_2_plus_sum_weight_3_d1;
+    wire [31:0] add_f32_ftz_unit_copy3_b_choice_5 = add_f32_ftz_unit_copy3_phase_copy2[0] ? magnitude_sum_d1_copy4 : in_sum_normals_x_5;
     wire [31:0] add_f32_ftz_unit_copy3_b_choice_6 = add_f32_ftz_unit_copy3_phase_copy2[1] ? add_f32_ftz_unit_copy3_b_choice_4 : add_f32_ftz_unit_copy3_b_choice_5;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice = add_f32_ftz_unit_copy4_phase[0] ? add_f32_ftz_unit_copy7_y : a_z_times_n_z_d2;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice_2 = add_f32_ftz_unit_copy4_phase[0] ? a_z_sum_d1_copy3 : a_y_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice = add_f32_ftz_unit_copy4_phase[0] ? query_position_z_d1 : add_f32_ftz_unit_copy2_y;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_2 = add_f32_ftz_unit_copy4_phase[0] ? sum_points_z_0_d1 : sum_points_x_4_d1;
     wire [31:0] add_f32_ftz_unit_copy4_a_choice_3 = add_f32_ftz_unit_copy4_phase[1] ? add_f32_ftz_unit_copy4_a_choice : add_f32_ftz_unit_copy4_a_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice_4 = add_f32_ftz_unit_copy4_phase[0] ? sum_points_y_0_d1 : sum_points_x_0_d1;
-    wire [31:0] add_f32_ftz_unit_copy4_a_choice_5 = add_f32_ftz_unit_copy4_phase[0] ? sum_weight_6_d1 : in_sum_normals_x_6;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_4 = add_f32_ftz_unit_copy4_phase[0] ? sum_points_y_2_d1 : sum_weight_4_d1;
+    wire [31:0] add_f32_ftz_unit_copy4_a_choice_5 = add_f32_ftz_unit_copy4_phase[0] ? sum_normals_z_0_d1 : in_sum_normals_y_0;
     wire [31:0] add_f32_ftz_unit_copy4_a_choice_6 = add_f32_ftz_unit_copy4_phase[1] ? add_f32_ftz_unit_copy4_a_choice_4 : add_f32_ftz_unit_copy4_a_choice_5;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice = add_f32_ftz_unit_copy4_phase_copy2[0] ? add_f32_ftz_unit_copy8_y : residual_sum_d1;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice_2 = add_f32_ftz_unit_copy4_phase_copy2[0] ? a_z_sum_d1_copy4 : a_y_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice = add_f32_ftz_unit_copy4_phase_copy2[0] ? {~state_start_z_d1[31], state_start_z_d1[30:0]} : add_f32_ftz_unit_copy3_y;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_2 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_points_z_1_d1 : sum_points_x_5_d1;
     wire [31:0] add_f32_ftz_unit_copy4_b_choice_3 = add_f32_ftz_unit_copy4_phase_copy2[1] ? add_f32_ftz_unit_copy4_b_choice : add_f32_ftz_unit_copy4_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice_4 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_points_y_1_d1 : sum_points_x_1_d1;
-    wire [31:0] add_f32_ftz_unit_copy4_b_choice_5 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_weight_7_d1 : in_sum_normals_x_7;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_4 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_points_y_3_d1 : sum_weight_5_d1;
+    wire [31:0] add_f32_ftz_unit_copy4_b_choice_5 = add_f32_ftz_unit_copy4_phase_copy2[0] ? sum_normals_z_1_d1 : in_sum_normals_y_1;
     wire [31:0] add_f32_ftz_unit_copy4_b_choice_6 = add_f32_ftz_unit_copy4_phase_copy2[1] ? add_f32_ftz_unit_copy4_b_choice_4 : add_f32_ftz_unit_copy4_b_choice_5;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice = add_f32_ftz_unit_copy5_phase[0] ? a_z_sum_plus_a_z_sum_d1 : sum_points_z_0_d1;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice_2 = add_f32_ftz_unit_copy5_phase[1] ? (add_f32_ftz_unit_copy5_phase[0] ? mul_f32_ftz_unit_y : a_x_d1) : add_f32_ftz_unit_copy5_a_choice;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice_3 = add_f32_ftz_unit_copy5_phase[0] ? sum_points_y_2_d1 : magnitude_sum_d1;
-    wire [31:0] add_f32_ftz_unit_copy5_a_choice_4 = add_f32_ftz_unit_copy5_phase[0] ? sum_normals_z_0_d1 : in_sum_normals_y_0;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice = add_f32_ftz_unit_copy5_phase[0] ? sum_points_z_2_d1 : sum_points_x_6_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_2 = add_f32_ftz_unit_copy5_phase[1] ? (add_f32_ftz_unit_copy5_phase[0] ? a_x_d1 : query_position_x_d1) : add_f32_ftz_unit_copy5_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_3 = add_f32_ftz_unit_copy5_phase[0] ? sum_points_y_4_d1 : sum_weight_6_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_a_choice_4 = add_f32_ftz_unit_copy5_phase[0] ? sum_normals_z_2_d1 : in_sum_normals_y_2;
     wire [31:0] add_f32_ftz_unit_copy5_a_choice_5 = add_f32_ftz_unit_copy5_phase[1] ? add_f32_ftz_unit_copy5_a_choice_3 : add_f32_ftz_unit_copy5_a_choice_4;
-    wire [31:0] moved_by_x_d7 = delay_7_from_4_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice = add_f32_ftz_unit_copy5_phase_copy2[0] ? mul_f32_ftz_unit_copy2_y : moved_by_x_d7;
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice_2 = add_f32_ftz_unit_copy5_phase_copy2[0] ? a_z_sum_plus_a_z_sum_d1_copy2 : sum_points_z_1_d1;
+    wire [31:0] moved_by_x_d7 = delay_7_from_5_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice = add_f32_ftz_unit_copy5_phase_copy2[0] ? moved_by_x_d7 : {~state_start_x_d1[31], state_start_x_d1[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_2 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_points_z_3_d1 : sum_points_x_7_d1;
     wire [31:0] add_f32_ftz_unit_copy5_b_choice_3 = add_f32_ftz_unit_copy5_phase_copy2[1] ? add_f32_ftz_unit_copy5_b_choice : add_f32_ftz_unit_copy5_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice_4 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_points_y_3_d1 : magnitude_sum_d1_copy2;
-    wire [31:0] add_f32_ftz_unit_copy5_b_choice_5 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_normals_z_1_d1 : in_sum_normals_y_1;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_4 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_points_y_5_d1 : sum_weight_7_d1;
+    wire [31:0] add_f32_ftz_unit_copy5_b_choice_5 = add_f32_ftz_unit_copy5_phase_copy2[0] ? sum_normals_z_3_d1 : in_sum_normals_y_3;
     wire [31:0] add_f32_ftz_unit_copy5_b_choice_6 = add_f32_ftz_unit_copy5_phase_copy2[1] ? add_f32_ftz_unit_copy5_b_choice_4 : add_f32_ftz_unit_copy5_b_choice_5;
-    wire [31:0] state_start_x_d13 = delay_12_from_0_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice = add_f32_ftz_unit_copy6_phase[0] ? query_position_x_d1 : sum_points_z_2_d1;
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice_2 = add_f32_ftz_unit_copy6_phase[1] ? (add_f32_ftz_unit_copy6_phase[0] ? state_start_x_d13 : a_y_d1) : add_f32_ftz_unit_copy6_a_choice;
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice_3 = add_f32_ftz_unit_copy6_phase[0] ? sum_points_y_4_d1 : magnitude_sum_d1_copy4;
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice_4 = add_f32_ftz_unit_copy6_phase[0] ? sum_normals_z_2_d1 : in_sum_normals_y_2;
-    wire [31:0] add_f32_ftz_unit_copy6_a_choice_5 = add_f32_ftz_unit_copy6_phase[1] ? add_f32_ftz_unit_copy6_a_choice_3 : add_f32_ftz_unit_copy6_a_choice_4;
-    wire [31:0] moved_by_y_d7 = delay_7_from_4_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice = add_f32_ftz_unit_copy6_phase_copy2[0] ? mul_f32_ftz_unit_copy3_y : moved_by_y_d7;
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice_2 = add_f32_ftz_unit_copy6_phase_copy2[0] ? {~state_start_x_d1[31], state_start_x_d1[30:0]} : sum_points_z_3_d1;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice = add_f32_ftz_unit_copy6_phase[1] ? (add_f32_ftz_unit_copy6_phase[0] ? a_z_d1 : query_position_y_d1) : add_f32_ftz_unit_copy6_phase[0] ? sum_points_z_4_d1 : a_y_sum_d1;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_2 = add_f32_ftz_unit_copy6_phase[0] ? sum_points_y_6_d1 : magnitude_sum_d1_copy6;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_3 = add_f32_ftz_unit_copy6_phase[0] ? sum_normals_z_4_d1 : in_sum_normals_y_4;
+    wire [31:0] add_f32_ftz_unit_copy6_a_choice_4 = add_f32_ftz_unit_copy6_phase[1] ? add_f32_ftz_unit_copy6_a_choice_2 : add_f32_ftz_unit_copy6_a_choice_3;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice = add_f32_ftz_unit_copy6_phase_copy2[0] ? delay_8_from_6_out : {~state_start_y_d1[31], state_start_y_d1[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_2 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_points_z_5_d1 : a_y_sum_d1_copy2;
     wire [31:0] add_f32_ftz_unit_copy6_b_choice_3 = add_f32_ftz_unit_copy6_phase_copy2[1] ? add_f32_ftz_unit_copy6_b_choice : add_f32_ftz_unit_copy6_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice_4 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_points_y_5_d1 : magnitude_sum_d1_copy5;
-    wire [31:0] add_f32_ftz_unit_copy6_b_choice_5 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_normals_z_3_d1 : in_sum_normals_y_3;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_4 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_points_y_7_d1 : magnitude_sum_d1_copy7;
+    wire [31:0] add_f32_ftz_unit_copy6_b_choice_5 = add_f32_ftz_unit_copy6_phase_copy2[0] ? sum_normals_z_5_d1 : in_sum_normals_y_5;
     wire [31:0] add_f32_ftz_unit_copy6_b_choice_6 = add_f32_ftz_unit_copy6_phase_copy2[1] ? add_f32_ftz_unit_copy6_b_choice_4 : add_f32_ftz_unit_copy6_b_choice_5;
-    wire [31:0] state_start_y_d13 = delay_12_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice = add_f32_ftz_unit_copy7_phase[0] ? query_position_y_d1 : sum_points_z_4_d1;
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice_2 = add_f32_ftz_unit_copy7_phase[1] ? (add_f32_ftz_unit_copy7_phase[0] ? state_start_y_d13 : a_z_d1) : add_f32_ftz_unit_copy7_a_choice;
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice_3 = add_f32_ftz_unit_copy7_phase[0] ? sum_points_y_6_d1 : magnitude_sum_d1_copy3;
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice_4 = add_f32_ftz_unit_copy7_phase[0] ? sum_normals_z_4_d1 : in_sum_normals_y_4;
-    wire [31:0] add_f32_ftz_unit_copy7_a_choice_5 = add_f32_ftz_unit_copy7_phase[1] ? add_f32_ftz_unit_copy7_a_choice_3 : add_f32_ftz_unit_copy7_a_choice_4;
-    wire [31:0] moved_by_z_d7 = delay_7_from_4_out[95:64];
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice = add_f32_ftz_unit_copy7_phase_copy2[0] ? step_y_d1 : moved_by_z_d7;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_2 = add_f32_ftz_unit_copy7_phase_copy2[0] ? {~state_start_y_d1[31], state_start_y_d1[30:0]} : sum_points_z_5_d1;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_3 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice : add_f32_ftz_unit_copy7_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_4 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_points_y_7_d1 : magnitude_sum_d1_copy6;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_5 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_normals_z_5_d1 : in_sum_normals_y_5;
-    wire [31:0] add_f32_ftz_unit_copy7_b_choice_6 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice_4 : add_f32_ftz_unit_copy7_b_choice_5;
     wire [31:0] state_start_z_d13 = delay_12_from_0_out[95:64];
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice = add_f32_ftz_unit_copy8_phase[0] ? state_start_z_d13 : n_z_times_from_start_z_d1;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_2 = add_f32_ftz_unit_copy8_phase[0] ? query_position_z_d1 : sum_points_z_6_d1;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_3 = add_f32_ftz_unit_copy8_phase[1] ? add_f32_ftz_unit_copy8_a_choice : add_f32_ftz_unit_copy8_a_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_4 = add_f32_ftz_unit_copy8_phase[0] ? mul_f32_ftz_unit_copy2_y : mul_f32_ftz_unit_y;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_5 = add_f32_ftz_unit_copy8_phase[0] ? sum_normals_z_6_d1 : in_sum_normals_y_6;
-    wire [31:0] add_f32_ftz_unit_copy8_a_choice_6 = add_f32_ftz_unit_copy8_phase[1] ? add_f32_ftz_unit_copy8_a_choice_4 : add_f32_ftz_unit_copy8_a_choice_5;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice = add_f32_ftz_unit_copy8_phase_copy2[0] ? step_z_d1 : add_f32_ftz_unit_copy5_y;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_2 = add_f32_ftz_unit_copy8_phase_copy2[0] ? {~state_start_z_d1[31], state_start_z_d1[30:0]} : sum_points_z_7_d1;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_3 = add_f32_ftz_unit_copy8_phase_copy2[1] ? add_f32_ftz_unit_copy8_b_choice : add_f32_ftz_unit_copy8_b_choice_2;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_4 = add_f32_ftz_unit_copy8_phase_copy2[0] ? mul_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy8_y;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_5 = add_f32_ftz_unit_copy8_phase_copy2[0] ? sum_normals_z_7_d1 : in_sum_normals_y_7;
-    wire [31:0] add_f32_ftz_unit_copy8_b_choice_6 = add_f32_ftz_unit_copy8_phase_copy2[1] ? add_f32_ftz_unit_copy8_b_choice_4 : add_f32_ftz_unit_copy8_b_choice_5;
-    wire [31:0] mul_f32_ftz_unit_a_choice = mul_f32_ftz_unit_phase[0] ? recip_f32_ftz_unit_y : magnitude_sum_d1_copy7;
-    wire [31:0] mul_f32_ftz_unit_a_choice_2 = mul_f32_ftz_unit_phase[1] ? (mul_f32_ftz_unit_phase[0] ? n_z_d3 : inverse_weight_d1) : mul_f32_ftz_unit_a_choice;
-    wire [31:0] magnitude_sum_d6 = delay_6_from_5_out[31:0];
-    wire [31:0] mul_f32_ftz_unit_a_choice_3 = mul_f32_ftz_unit_phase[1] ? (mul_f32_ftz_unit_phase[0] ? magnitude_sum_d6 : a_x_d2) : mul_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_b_choice = mul_f32_ftz_unit_phase_copy2[0] ? a_x_sum_d4 : magnitude_sum_d1_copy7;
-    wire [31:0] mul_f32_ftz_unit_b_choice_2 = mul_f32_ftz_unit_phase_copy2[1] ? (mul_f32_ftz_unit_phase_copy2[0] ? along_d1 : a_y_sum_d4) : mul_f32_ftz_unit_b_choice;
-    wire [31:0] mul_f32_ftz_unit_b_choice_3 = mul_f32_ftz_unit_phase_copy2[1] ? (mul_f32_ftz_unit_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : n_x_d1) : from_start_x_d1;
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice = mul_f32_ftz_unit_copy2_phase[1] ? inverse_weight_d1 : mul_f32_ftz_unit_copy2_phase[0] ? add_f32_ftz_unit_y : a_z_d2;
-    wire [31:0] magnitude_sum_d6_copy2 = delay_6_from_5_out[63:32];
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice_2 = mul_f32_ftz_unit_copy2_phase[0] ? magnitude_sum_d6_copy2 : a_y_d2;
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice_3 = mul_f32_ftz_unit_copy2_phase[1] ? mul_f32_ftz_unit_copy2_a_choice_2 : mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy2_b_choice = mul_f32_ftz_unit_copy2_phase_copy2[0] ? add_f32_ftz_unit_y : n_z_d1;
-    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_2 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? a_z_sum_d4 : mul_f32_ftz_unit_copy2_b_choice;
-    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_3 = mul_f32_ftz_unit_copy2_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : n_y_d1;
-    wire [31:0] mul_f32_ftz_unit_copy2_b_choice_4 = mul_f32_ftz_unit_copy2_phase_copy2[1] ? mul_f32_ftz_unit_copy2_b_choice_3 : from_start_y_d1;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice = mul_f32_ftz_unit_copy3_phase[1] ? n_y_d3 : add_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_a_choice_2 = mul_f32_ftz_unit_copy3_phase[1] ? (mul_f32_ftz_unit_copy3_phase[0] ? delay_5_from_1_out : n_z_d1) : n_x_d3;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice = mul_f32_ftz_unit_copy3_phase_copy2[1] ? along_d1 : add_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_2 = mul_f32_ftz_unit_copy3_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : from_start_z_d1;
-    wire [31:0] mul_f32_ftz_unit_copy3_b_choice_3 = mul_f32_ftz_unit_copy3_phase_copy2[1] ? mul_f32_ftz_unit_copy3_b_choice_2 : along_d1;
-    wire [31:0] lt_f32_ftz_unit_b_choice = lt_f32_ftz_unit_phase[1] ? magnitude_d1 : add_f32_ftz_unit_copy3_y;
-    wire there = weighs_d3 & lt_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice = add_f32_ftz_unit_copy7_phase[0] ? sum_points_z_6_d1 : a_y_sum_d1_copy3;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_2 = add_f32_ftz_unit_copy7_phase[1] ? (add_f32_ftz_unit_copy7_phase[0] ? state_start_z_d13 : a_y_d1) : add_f32_ftz_unit_copy7_a_choice;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_3 = add_f32_ftz_unit_copy7_phase[0] ? magnitude_sum_d1_copy8 : magnitude_sum_d1_copy9;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_4 = add_f32_ftz_unit_copy7_phase[0] ? sum_normals_z_6_d1 : in_sum_normals_y_6;
+    wire [31:0] add_f32_ftz_unit_copy7_a_choice_5 = add_f32_ftz_unit_copy7_phase[1] ? add_f32_ftz_unit_copy7_a_choice_3 : add_f32_ftz_unit_copy7_a_choice_4;
+    wire [31:0] moved_by_y_d7 = delay_7_from_5_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice = add_f32_ftz_unit_copy7_phase_copy2[0] ? mul_f32_ftz_unit_y : moved_by_y_d7;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_2 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_points_z_7_d1 : a_y_sum_d1_copy4;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_3 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice : add_f32_ftz_unit_copy7_b_choice_2;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_4 = add_f32_ftz_unit_copy7_phase_copy2[0] ? magnitude_sum_d1_copy11 : magnitude_sum_d1_copy10;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_5 = add_f32_ftz_unit_copy7_phase_copy2[0] ? sum_normals_z_7_d1 : in_sum_normals_y_7;
+    wire [31:0] add_f32_ftz_unit_copy7_b_choice_6 = add_f32_ftz_unit_copy7_phase_copy2[1] ? add_f32_ftz_unit_copy7_b_choice_4 : add_f32_ftz_unit_copy7_b_choice_5;
+    wire [31:0] mul_f32_ftz_unit_a_choice = mul_f32_ftz_unit_phase[0] ? magnitude_sum_d1_copy5 : recip_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_a_choice_2 = mul_f32_ftz_unit_phase[1] ? mul_f32_ftz_unit_a_choice : mul_f32_ftz_unit_phase[0] ? delay_5_from_5_out : n_y_d1;
+    wire [31:0] mul_f32_ftz_unit_a_choice_3 = mul_f32_ftz_unit_phase[1] ? inverse_weight_d1 : mul_f32_ftz_unit_phase[0] ? n_z_d3 : inverse_weight_d1;
+    wire [31:0] mul_f32_ftz_unit_b_choice = mul_f32_ftz_unit_phase_copy2[0] ? magnitude_sum_d1_copy5 : a_y_sum_d4;
+    wire [31:0] mul_f32_ftz_unit_b_choice_2 = mul_f32_ftz_unit_phase_copy2[0] ? rsqrt_f32_ftz_unit_y : from_start_y_d1;
+    wire [31:0] mul_f32_ftz_unit_b_choice_3 = mul_f32_ftz_unit_phase_copy2[1] ? mul_f32_ftz_unit_b_choice : mul_f32_ftz_unit_b_choice_2;
+    wire [31:0] mul_f32_ftz_unit_b_choice_4 = mul_f32_ftz_unit_phase_copy2[1] ? a_z_sum_d4 : mul_f32_ftz_unit_phase_copy2[0] ? along_d1 : a_x_sum_d4;
+    wire [31:0] mul_f32_ftz_unit_copy2_b_choice = mul_f32_ftz_unit_copy2_phase[1] ? mul_f32_ftz_unit_y : inverse_length_d1;
+    wire [31:0] mul_add_f32_ftz_unit_a_choice = mul_add_f32_ftz_unit_phase[0] ? mul_f32_ftz_unit_copy2_y : n_z_d1;
+    wire [31:0] mul_add_f32_ftz_unit_a_choice_2 = mul_add_f32_ftz_unit_phase[1] ? (mul_add_f32_ftz_unit_phase[0] ? magnitude_sum_d1_copy12 : a_x_d2) : mul_add_f32_ftz_unit_a_choice;
+    wire [31:0] mul_add_f32_ftz_unit_a_choice_3 = mul_add_f32_ftz_unit_phase[0] ? a_z_d3 : add_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_add_f32_ftz_unit_a_choice_4 = mul_add_f32_ftz_unit_phase[1] ? (mul_add_f32_ftz_unit_phase[0] ? n_y_d3 : n_x_d3) : mul_add_f32_ftz_unit_a_choice_3;
+    wire [31:0] mul_add_f32_ftz_unit_b_choice = mul_add_f32_ftz_unit_phase_copy2[0] ? magnitude_sum_d1_copy12 : n_x_d1;
+    wire [31:0] mul_add_f32_ftz_unit_b_choice_2 = mul_add_f32_ftz_unit_phase_copy2[0] ? from_start_x_d1 : from_start_z_d1;
+    wire [31:0] mul_add_f32_ftz_unit_b_choice_3 = mul_add_f32_ftz_unit_phase_copy2[1] ? mul_add_f32_ftz_unit_b_choice : mul_add_f32_ftz_unit_b_choice_2;
+    wire [31:0] mul_add_f32_ftz_unit_b_choice_4 = mul_add_f32_ftz_unit_phase_copy2[0] ? n_z_d2 : add_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_add_f32_ftz_unit_b_choice_5 = mul_add_f32_ftz_unit_phase_copy2[1] ? along_d1 : mul_add_f32_ftz_unit_b_choice_4;
+    wire [31:0] state_start_x_d13 = delay_12_from_0_out[31:0];
+    wire [31:0] mul_add_f32_ftz_unit_c_choice = mul_add_f32_ftz_unit_phase_copy3[0] ? state_start_x_d13 : residual_sum_d1;
+    wire [31:0] mul_add_f32_ftz_unit_c_choice_2 = mul_add_f32_ftz_unit_phase_copy3[0] ? mul_f32_ftz_unit_y : mul_add_f32_ftz_unit_y;
+    wire [31:0] mul_add_f32_ftz_unit_c_choice_3 = mul_add_f32_ftz_unit_phase_copy3[1] ? mul_add_f32_ftz_unit_c_choice : mul_add_f32_ftz_unit_c_choice_2;
+    wire [31:0] mul_add_f32_ftz_unit_c_choice_4 = mul_add_f32_ftz_unit_phase_copy3[0] ? a_y_times_n_y_d1 : mul_f32_ftz_unit_y;
+    wire [31:0] state_start_y_d13 = delay_12_from_0_out[63:32];
+    wire [31:0] mul_add_f32_ftz_unit_c_choice_5 = mul_add_f32_ftz_unit_phase_copy3[0] ? mul_add_f32_ftz_unit_y : state_start_y_d13;
+    wire [31:0] mul_add_f32_ftz_unit_c_choice_6 = mul_add_f32_ftz_unit_phase_copy3[1] ? mul_add_f32_ftz_unit_c_choice_4 : mul_add_f32_ftz_unit_c_choice_5;
+    wire there = weighs_d3 & lt_f32_ftz_unit_copy2_y;
 
     assign {out_thread, out_output_position_x, out_output_position_y, out_output_position_z} = queue_1_out_data;
     assign {out_output_normal_x, out_output_normal_y, out_output_normal_z, out_output_residual} = queue_2_out_data;
@@ -2904,13 +2898,8 @@ module process_finish (
         .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
-        .y(add_f32_ftz_unit_copy8_y)
-    );
-
     float_recip_s28_f32ftz recip_f32_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy3_y), .y(recip_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy2_y), .y(recip_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
@@ -2922,17 +2911,25 @@ module process_finish (
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
-        .y(mul_f32_ftz_unit_copy3_y)
+    float_mul_add_f32ftz mul_add_f32_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_a), .b(mul_add_f32_ftz_unit_b),
+        .c(mul_add_f32_ftz_unit_c), .y(mul_add_f32_ftz_unit_y)
     );
 
     float_rsqrt_s26_f32ftz rsqrt_f32_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(add_f32_ftz_unit_copy8_y), .y(rsqrt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_y), .y(rsqrt_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(32'd0), .b(add_f32_ftz_unit_copy2_y), .y(lt_f32_ftz_unit_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(32'd0), .b(mul_add_f32_ftz_unit_y), .y(lt_f32_ftz_unit_copy2_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(1'd1), .a(distance), .b(32'h7e967699), .y(lt_f32_ftz_unit_copy3_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit (
@@ -2941,7 +2938,7 @@ module process_finish (
 
     stream_fifo_d15_w103_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({delay_14_from_0_out, surface_x, surface_y, surface_z}),
+        .in_data({delay_14_from_0_out, surface_x_d1, surface_y, surface_z_d1}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
@@ -2953,7 +2950,7 @@ module process_finish (
 
     stream_fifo_d15_w100_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
-        .in_data({valid_d1, surface_x, surface_y, surface_z, 1'd1, finished_d1, 1'd1}),
+        .in_data({valid_d1, surface_x_d1, surface_y, surface_z_d1, 1'd1, finished_d1, 1'd1}),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
@@ -2961,15 +2958,17 @@ module process_finish (
         if (rst) begin
             credits <= 5'd14;
             phases_1 <= 8'd1;
-            delay_12_from_0_pointer <= 4'd0;
+            delay_6_from_0_pointer <= 3'd0;
             phases_2 <= 8'd1;
+            delay_12_from_0_pointer <= 4'd0;
+            phases_3 <= 8'd1;
             delay_13_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
-            delay_5_from_1_pointer <= 2'd0;
-            delay_7_from_4_pointer <= 3'd0;
-            delay_6_from_5_pointer <= 3'd0;
+            delay_5_from_2_pointer <= 2'd0;
+            delay_5_from_5_pointer <= 2'd0;
+            delay_7_from_5_pointer <= 3'd0;
             delay_8_from_5_pointer <= 3'd0;
-            phases_3 <= 8'd1;
+            delay_8_from_6_pointer <= 3'd0;
             phases_4 <= 8'd1;
             phases_5 <= 8'd1;
             phases_6 <= 8'd1;
@@ -2984,7 +2983,6 @@ module process_finish (
             phases_15 <= 8'd1;
             phases_16 <= 8'd1;
             phases_17 <= 8'd1;
-            phases_18 <= 8'd1;
             add_f32_ftz_unit_phase <= 3'd0;
             add_f32_ftz_unit_phase_copy2 <= 3'd0;
             add_f32_ftz_unit_copy2_phase <= 3'd0;
@@ -2999,15 +2997,12 @@ module process_finish (
             add_f32_ftz_unit_copy6_phase_copy2 <= 3'd0;
             add_f32_ftz_unit_copy7_phase <= 3'd0;
             add_f32_ftz_unit_copy7_phase_copy2 <= 3'd0;
-            add_f32_ftz_unit_copy8_phase <= 3'd0;
-            add_f32_ftz_unit_copy8_phase_copy2 <= 3'd0;
             mul_f32_ftz_unit_phase <= 3'd0;
             mul_f32_ftz_unit_phase_copy2 <= 3'd0;
             mul_f32_ftz_unit_copy2_phase <= 3'd0;
-            mul_f32_ftz_unit_copy2_phase_copy2 <= 3'd0;
-            mul_f32_ftz_unit_copy3_phase <= 3'd0;
-            mul_f32_ftz_unit_copy3_phase_copy2 <= 3'd0;
-            lt_f32_ftz_unit_phase <= 3'd0;
+            mul_add_f32_ftz_unit_phase <= 3'd0;
+            mul_add_f32_ftz_unit_phase_copy2 <= 3'd0;
+            mul_add_f32_ftz_unit_phase_copy3 <= 3'd0;
             in_flight <= 14'd0;
             left <= 1'd0;
         end else begin
@@ -3029,7 +3024,6 @@ module process_finish (
             phases_15 <= {phases_15[6:0], phases_15[7]};
             phases_16 <= {phases_16[6:0], phases_16[7]};
             phases_17 <= {phases_17[6:0], phases_17[7]};
-            phases_18 <= {phases_18[6:0], phases_18[7]};
             add_f32_ftz_unit_phase <= (add_f32_ftz_unit_phase == 3'd7) ? (add_f32_ftz_unit_phase - 3'd7) : (add_f32_ftz_unit_phase + 3'd1);
             add_f32_ftz_unit_phase_copy2 <= (add_f32_ftz_unit_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_phase_copy2 - 3'd7) : (add_f32_ftz_unit_phase_copy2 + 3'd1);
             add_f32_ftz_unit_copy2_phase <= (add_f32_ftz_unit_copy2_phase == 3'd7) ? (add_f32_ftz_unit_copy2_phase - 3'd7) : (add_f32_ftz_unit_copy2_phase + 3'd1);
@@ -3044,297 +3038,305 @@ module process_finish (
             add_f32_ftz_unit_copy6_phase_copy2 <= (add_f32_ftz_unit_copy6_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy6_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy6_phase_copy2 + 3'd1);
             add_f32_ftz_unit_copy7_phase <= (add_f32_ftz_unit_copy7_phase == 3'd7) ? (add_f32_ftz_unit_copy7_phase - 3'd7) : (add_f32_ftz_unit_copy7_phase + 3'd1);
             add_f32_ftz_unit_copy7_phase_copy2 <= (add_f32_ftz_unit_copy7_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy7_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy7_phase_copy2 + 3'd1);
-            add_f32_ftz_unit_copy8_phase <= (add_f32_ftz_unit_copy8_phase == 3'd7) ? (add_f32_ftz_unit_copy8_phase - 3'd7) : (add_f32_ftz_unit_copy8_phase + 3'd1);
-            add_f32_ftz_unit_copy8_phase_copy2 <= (add_f32_ftz_unit_copy8_phase_copy2 == 3'd7) ? (add_f32_ftz_unit_copy8_phase_copy2 - 3'd7) : (add_f32_ftz_unit_copy8_phase_copy2 + 3'd1);
             mul_f32_ftz_unit_phase <= (mul_f32_ftz_unit_phase == 3'd7) ? (mul_f32_ftz_unit_phase - 3'd7) : (mul_f32_ftz_unit_phase + 3'd1);
             mul_f32_ftz_unit_phase_copy2 <= (mul_f32_ftz_unit_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_phase_copy2 + 3'd1);
             mul_f32_ftz_unit_copy2_phase <= (mul_f32_ftz_unit_copy2_phase == 3'd7) ? (mul_f32_ftz_unit_copy2_phase - 3'd7) : (mul_f32_ftz_unit_copy2_phase + 3'd1);
-            mul_f32_ftz_unit_copy2_phase_copy2 <= (mul_f32_ftz_unit_copy2_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_copy2_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_copy2_phase_copy2 + 3'd1);
-            mul_f32_ftz_unit_copy3_phase <= (mul_f32_ftz_unit_copy3_phase == 3'd7) ? (mul_f32_ftz_unit_copy3_phase - 3'd7) : (mul_f32_ftz_unit_copy3_phase + 3'd1);
-            mul_f32_ftz_unit_copy3_phase_copy2 <= (mul_f32_ftz_unit_copy3_phase_copy2 == 3'd7) ? (mul_f32_ftz_unit_copy3_phase_copy2 - 3'd7) : (mul_f32_ftz_unit_copy3_phase_copy2 + 3'd1);
-            lt_f32_ftz_unit_phase <= (lt_f32_ftz_unit_phase == 3'd7) ? (lt_f32_ftz_unit_phase - 3'd7) : (lt_f32_ftz_unit_phase + 3'd1);
+            mul_add_f32_ftz_unit_phase <= (mul_add_f32_ftz_unit_phase == 3'd7) ? (mul_add_f32_ftz_unit_phase - 3'd7) : (mul_add_f32_ftz_unit_phase + 3'd1);
+            mul_add_f32_ftz_unit_phase_copy2 <= (mul_add_f32_ftz_unit_phase_copy2 == 3'd7) ? (mul_add_f32_ftz_unit_phase_copy2 - 3'd7) : (mul_add_f32_ftz_unit_phase_copy2 + 3'd1);
+            mul_add_f32_ftz_unit_phase_copy3 <= (mul_add_f32_ftz_unit_phase_copy3 == 3'd7) ? (mul_add_f32_ftz_unit_phase_copy3 - 3'd7) : (mul_add_f32_ftz_unit_phase_copy3 + 3'd1);
             left <= out_valid & out_ready;
             if (phases_1[0]) begin
-                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
                 in_flight <= {in_flight[12:0], in_valid_and_in_ready};
             end
             if (phases_2[0]) begin
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+            end
+            if (phases_3[0]) begin
                 delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
             end
-            if (phases_1[1]) begin
-                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
-            end
-            if (phases_1[4]) begin
-                delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
+            if (phases_1[2]) begin
+                delay_5_from_2_pointer <= (delay_5_from_2_pointer == 2'd3) ? (delay_5_from_2_pointer - 2'd3) : (delay_5_from_2_pointer + 2'd1);
             end
             if (phases_1[5]) begin
-                delay_6_from_5_pointer <= (delay_6_from_5_pointer == 3'd4) ? (delay_6_from_5_pointer - 3'd4) : (delay_6_from_5_pointer + 3'd1);
+                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+                delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
                 delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
+            end
+            if (phases_1[6]) begin
+                delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (phases_3[0]) begin
+        if (phases_1[0]) begin
             query_position_x_d1 <= in_query_position_x;
             query_position_y_d1 <= in_query_position_y;
-            query_position_z_d1 <= in_query_position_z;
-            state_start_x_d1 <= in_state_start_x;
         end
         if (phases_4[0]) begin
+            query_position_z_d1 <= in_query_position_z;
+            state_start_x_d1 <= in_state_start_x;
             state_start_y_d1 <= in_state_start_y;
             state_start_z_d1 <= in_state_start_z;
-            sum_weight_0_d1 <= in_sum_weight_0;
-            sum_weight_1_d1 <= in_sum_weight_1;
         end
         if (phases_5[0]) begin
+            sum_weight_0_d1 <= in_sum_weight_0;
+            sum_weight_1_d1 <= in_sum_weight_1;
             sum_weight_2_d1 <= in_sum_weight_2;
             sum_weight_3_d1 <= in_sum_weight_3;
-            sum_weight_4_d1 <= in_sum_weight_4;
-            sum_weight_5_d1 <= in_sum_weight_5;
         end
         if (phases_6[0]) begin
+            sum_weight_4_d1 <= in_sum_weight_4;
+            sum_weight_5_d1 <= in_sum_weight_5;
             sum_weight_6_d1 <= in_sum_weight_6;
             sum_weight_7_d1 <= in_sum_weight_7;
-            sum_points_x_0_d1 <= in_sum_points_x_0;
-            sum_points_x_1_d1 <= in_sum_points_x_1;
         end
         if (phases_7[0]) begin
+            sum_points_x_0_d1 <= in_sum_points_x_0;
+            sum_points_x_1_d1 <= in_sum_points_x_1;
             sum_points_x_2_d1 <= in_sum_points_x_2;
             sum_points_x_3_d1 <= in_sum_points_x_3;
-            sum_points_x_4_d1 <= in_sum_points_x_4;
-            sum_points_x_5_d1 <= in_sum_points_x_5;
         end
         if (phases_8[0]) begin
+            sum_points_x_4_d1 <= in_sum_points_x_4;
+            sum_points_x_5_d1 <= in_sum_points_x_5;
             sum_points_x_6_d1 <= in_sum_points_x_6;
             sum_points_x_7_d1 <= in_sum_points_x_7;
-            sum_points_y_0_d1 <= in_sum_points_y_0;
-            sum_points_y_1_d1 <= in_sum_points_y_1;
         end
         if (phases_9[0]) begin
+            sum_points_y_0_d1 <= in_sum_points_y_0;
+            sum_points_y_1_d1 <= in_sum_points_y_1;
             sum_points_y_2_d1 <= in_sum_points_y_2;
             sum_points_y_3_d1 <= in_sum_points_y_3;
-            sum_points_y_4_d1 <= in_sum_points_y_4;
-            sum_points_y_5_d1 <= in_sum_points_y_5;
         end
         if (phases_10[0]) begin
+            sum_points_y_4_d1 <= in_sum_points_y_4;
+            sum_points_y_5_d1 <= in_sum_points_y_5;
             sum_points_y_6_d1 <= in_sum_points_y_6;
             sum_points_y_7_d1 <= in_sum_points_y_7;
-            sum_points_z_0_d1 <= in_sum_points_z_0;
-            sum_points_z_1_d1 <= in_sum_points_z_1;
         end
         if (phases_11[0]) begin
+            sum_points_z_0_d1 <= in_sum_points_z_0;
+            sum_points_z_1_d1 <= in_sum_points_z_1;
             sum_points_z_2_d1 <= in_sum_points_z_2;
             sum_points_z_3_d1 <= in_sum_points_z_3;
-            sum_points_z_4_d1 <= in_sum_points_z_4;
-            sum_points_z_5_d1 <= in_sum_points_z_5;
         end
         if (phases_12[0]) begin
+            sum_points_z_4_d1 <= in_sum_points_z_4;
+            sum_points_z_5_d1 <= in_sum_points_z_5;
             sum_points_z_6_d1 <= in_sum_points_z_6;
             sum_points_z_7_d1 <= in_sum_points_z_7;
+        end
+        if (phases_13[0]) begin
+            sum_normals_x_6_d1 <= in_sum_normals_x_6;
+            sum_normals_x_7_d1 <= in_sum_normals_x_7;
             sum_normals_z_0_d1 <= in_sum_normals_z_0;
             sum_normals_z_1_d1 <= in_sum_normals_z_1;
         end
-        if (phases_13[0]) begin
+        if (phases_14[0]) begin
             sum_normals_z_2_d1 <= in_sum_normals_z_2;
             sum_normals_z_3_d1 <= in_sum_normals_z_3;
             sum_normals_z_4_d1 <= in_sum_normals_z_4;
             sum_normals_z_5_d1 <= in_sum_normals_z_5;
         end
-        if (phases_14[0]) begin
+        if (phases_15[0]) begin
             sum_normals_z_6_d1 <= in_sum_normals_z_6;
             sum_normals_z_7_d1 <= in_sum_normals_z_7;
-            sum_weight_0_plus_sum_weight_1_d1 <= add_f32_ftz_unit_y;
-            sum_weight_2_plus_sum_weight_3_d1 <= add_f32_ftz_unit_copy2_y;
+            magnitude_sum_d1_copy3 <= add_f32_ftz_unit_y;
+            magnitude_sum_d1_copy4 <= add_f32_ftz_unit_copy2_y;
         end
         if (phases_1[1]) begin
-            inverse_weight_sum_d1 <= add_f32_ftz_unit_y;
-            inverse_weight_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+            sum_weight_0_plus_sum_weight_1_d1 <= add_f32_ftz_unit_y;
+            sum_weight_2_plus_sum_weight_3_d1 <= add_f32_ftz_unit_copy2_y;
+            inverse_weight_sum_d1 <= add_f32_ftz_unit_copy3_y;
+            sum_weight_4_plus_sum_weight_5_d1 <= add_f32_ftz_unit_copy4_y;
         end
-        if (phases_15[0]) begin
-            sum_weight_4_plus_sum_weight_5_d1 <= add_f32_ftz_unit_copy3_y;
-            sum_weight_6_plus_sum_weight_7_d1 <= add_f32_ftz_unit_copy4_y;
-            magnitude_sum_d1 <= add_f32_ftz_unit_copy5_y;
-            magnitude_sum_d1_copy2 <= add_f32_ftz_unit_copy6_y;
-        end
-        if (phases_1[5]) inverse_weight_d1 <= recip_f32_ftz_unit_y;
         if (phases_2[1]) begin
-            a_x_sum_d1 <= add_f32_ftz_unit_copy4_y;
-            magnitude_sum_d1_copy3 <= add_f32_ftz_unit_copy5_y;
-            magnitude_sum_d1_copy6 <= add_f32_ftz_unit_copy6_y;
-            magnitude_sum_d1_copy7 <= add_f32_ftz_unit_copy7_y;
+            sum_weight_6_plus_sum_weight_7_d1 <= add_f32_ftz_unit_copy5_y;
+            a_z_d1 <= mul_f32_ftz_unit_y;
+            a_z_d2 <= a_z_d1;
+            a_z_d3 <= a_z_d2;
         end
         if (phases_1[2]) begin
-            a_x_sum_d1_copy2 <= add_f32_ftz_unit_y;
-            a_x_sum_d1_copy3 <= add_f32_ftz_unit_copy2_y;
-            a_x_sum_d1_copy4 <= add_f32_ftz_unit_copy3_y;
-            a_y_sum_d1 <= add_f32_ftz_unit_copy4_y;
+            inverse_weight_sum_d1_copy2 <= add_f32_ftz_unit_y;
+            a_y_sum_d1 <= add_f32_ftz_unit_copy3_y;
+        end
+        if (phases_1[6]) begin
+            inverse_weight_d1 <= recip_f32_ftz_unit_y;
+            a_x_d1 <= mul_f32_ftz_unit_y;
         end
         if (phases_1[3]) begin
-            a_x_sum_plus_a_x_sum_d1 <= add_f32_ftz_unit_y;
-            a_x_sum_plus_a_x_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
-            a_y_sum_plus_a_y_sum_d1 <= add_f32_ftz_unit_copy3_y;
-            a_y_sum_plus_a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
-        end
-        if (phases_2[4]) begin
-            a_x_sum_d1_copy5 <= add_f32_ftz_unit_y;
-            a_x_sum_d2 <= a_x_sum_d1_copy5;
-            a_x_sum_d3 <= a_x_sum_d2;
-            a_x_sum_d4 <= a_x_sum_d3;
-        end
-        if (phases_2[2]) begin
-            a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy5_y;
-            a_y_sum_d1_copy3 <= add_f32_ftz_unit_copy6_y;
-            a_y_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
-            a_z_times_n_z_d1 <= mul_f32_ftz_unit_copy2_y;
-        end
-        if (phases_3[4]) begin
-            a_y_sum_d1_copy5 <= add_f32_ftz_unit_copy2_y;
-            a_y_sum_d2 <= a_y_sum_d1_copy5;
-            a_y_sum_d3 <= a_y_sum_d2;
-            a_y_sum_d4 <= a_y_sum_d3;
+            a_x_sum_d1 <= add_f32_ftz_unit_y;
+            a_x_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+            a_x_sum_plus_a_x_sum_d1 <= add_f32_ftz_unit_copy3_y;
+            a_x_sum_d1_copy3 <= add_f32_ftz_unit_copy4_y;
         end
         if (phases_2[3]) begin
-            a_z_sum_d1 <= add_f32_ftz_unit_copy5_y;
-            a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy6_y;
-            a_z_sum_d1_copy3 <= add_f32_ftz_unit_copy7_y;
-            a_z_sum_d1_copy4 <= add_f32_ftz_unit_copy8_y;
-        end
-        if (phases_4[4]) begin
-            a_z_sum_plus_a_z_sum_d1 <= add_f32_ftz_unit_copy3_y;
-            a_z_sum_plus_a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
-            a_z_sum_d1_copy5 <= add_f32_ftz_unit_copy5_y;
-            a_z_sum_d2 <= a_z_sum_d1_copy5;
-        end
-        if (phases_5[4]) begin
-            a_z_sum_d3 <= a_z_sum_d2;
-            a_z_sum_d4 <= a_z_sum_d3;
-            a_y_d1 <= mul_f32_ftz_unit_y;
-            a_y_d2 <= a_y_d1;
-        end
-        if (phases_3[3]) begin
-            a_x_d1 <= mul_f32_ftz_unit_y;
-            a_x_d2 <= a_x_d1;
-        end
-        if (phases_6[4]) begin
-            a_z_d1 <= mul_f32_ftz_unit_copy2_y;
-            a_z_d2 <= a_z_d1;
-        end
-        if (phases_16[0]) begin
-            magnitude_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
-            magnitude_sum_d1_copy5 <= add_f32_ftz_unit_copy8_y;
-            a_x_times_n_x_d1 <= mul_f32_ftz_unit_y;
-            a_y_times_n_y_d1 <= mul_f32_ftz_unit_copy2_y;
-        end
-        if (phases_3[1]) begin
-            magnitude_d1 <= add_f32_ftz_unit_copy8_y;
-            n_x_d1 <= mul_f32_ftz_unit_y;
-            n_x_d2 <= n_x_d1;
-            n_x_d3 <= n_x_d2;
-        end
-        if (phases_4[1]) begin
-            n_x_d4 <= n_x_d3;
-            n_y_d1 <= mul_f32_ftz_unit_copy2_y;
-            n_y_d2 <= n_y_d1;
-            n_y_d3 <= n_y_d2;
-        end
-        if (phases_5[1]) begin
-            n_y_d4 <= n_y_d3;
-            n_z_d1 <= mul_f32_ftz_unit_copy3_y;
-            n_z_d2 <= n_z_d1;
-            n_z_d3 <= n_z_d2;
-        end
-        if (phases_6[1]) n_z_d4 <= n_z_d3;
-        if (phases_3[2]) a_z_times_n_z_d2 <= a_z_times_n_z_d1;
-        if (phases_2[5]) begin
-            residual_sum_d1 <= add_f32_ftz_unit_copy3_y;
-            residual_d1 <= add_f32_ftz_unit_copy4_y;
-            from_start_x_d1 <= add_f32_ftz_unit_copy5_y;
-            from_start_y_d1 <= add_f32_ftz_unit_copy6_y;
+            a_x_sum_d1_copy4 <= add_f32_ftz_unit_copy5_y;
+            a_y_sum_plus_a_y_sum_d1 <= add_f32_ftz_unit_copy6_y;
+            a_y_sum_plus_a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy7_y;
+            n_y_d1 <= mul_f32_ftz_unit_y;
         end
         if (phases_1[4]) begin
+            a_x_sum_plus_a_x_sum_d1_copy2 <= add_f32_ftz_unit_y;
+            a_x_sum_d1_copy5 <= add_f32_ftz_unit_copy2_y;
+            a_x_sum_d2 <= a_x_sum_d1_copy5;
+            a_x_sum_d3 <= a_x_sum_d2;
+        end
+        if (phases_2[4]) begin
+            a_x_sum_d4 <= a_x_sum_d3;
+            a_y_sum_d1_copy5 <= add_f32_ftz_unit_copy3_y;
+            a_y_sum_d2 <= a_y_sum_d1_copy5;
+            a_y_sum_d3 <= a_y_sum_d2;
+        end
+        if (phases_2[2]) begin
+            a_y_sum_d1_copy2 <= add_f32_ftz_unit_copy4_y;
+            a_y_sum_d1_copy3 <= add_f32_ftz_unit_copy5_y;
+            a_y_sum_d1_copy4 <= add_f32_ftz_unit_copy6_y;
+            magnitude_sum_d1_copy12 <= add_f32_ftz_unit_copy7_y;
+        end
+        if (phases_3[4]) begin
+            a_y_sum_d4 <= a_y_sum_d3;
+            a_z_sum_d1 <= add_f32_ftz_unit_copy4_y;
+            a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy5_y;
+            a_z_sum_d1_copy3 <= add_f32_ftz_unit_copy6_y;
+        end
+        if (phases_2[5]) begin
+            a_z_sum_plus_a_z_sum_d1 <= add_f32_ftz_unit_y;
+            a_z_sum_plus_a_z_sum_d1_copy2 <= add_f32_ftz_unit_copy2_y;
+            a_z_sum_d1_copy5 <= add_f32_ftz_unit_copy3_y;
+            a_z_sum_d2 <= a_z_sum_d1_copy5;
+        end
+        if (phases_4[4]) begin
+            a_z_sum_d1_copy4 <= add_f32_ftz_unit_copy7_y;
+            a_y_d1 <= mul_f32_ftz_unit_y;
+            a_y_d2 <= a_y_d1;
             weighs_d1 <= lt_f32_ftz_unit_y;
             weighs_d2 <= weighs_d1;
             weighs_d3 <= weighs_d2;
         end
-        if (phases_1[0]) begin
-            valid_d1 <= valid;
-            finished_d1 <= finished;
-        end
         if (phases_3[5]) begin
-            from_start_z_d1 <= add_f32_ftz_unit_copy7_y;
-            along_d1 <= add_f32_ftz_unit_copy8_y;
-            step_y_d1 <= mul_f32_ftz_unit_copy3_y;
-            step_z_d1 <= mul_f32_ftz_unit_y;
+            a_z_sum_d3 <= a_z_sum_d2;
+            a_z_sum_d4 <= a_z_sum_d3;
+            magnitude_sum_d1_copy5 <= add_f32_ftz_unit_copy4_y;
+            inverse_length_d1 <= rsqrt_f32_ftz_unit_y;
         end
-        if (phases_17[0]) begin
-            n_z_times_from_start_z_d1 <= mul_f32_ftz_unit_copy3_y;
+        if (phases_2[6]) begin
+            a_x_d2 <= a_x_d1;
+            magnitude_sum_d1 <= add_f32_ftz_unit_y;
+            from_start_x_d1 <= add_f32_ftz_unit_copy5_y;
+            from_start_z_d1 <= add_f32_ftz_unit_copy6_y;
+        end
+        if (phases_1[7]) begin
+            magnitude_sum_d1_copy2 <= add_f32_ftz_unit_copy3_y;
+            n_z_d1 <= mul_f32_ftz_unit_copy2_y;
+            n_z_d2 <= n_z_d1;
+            n_z_d3 <= n_z_d2;
+        end
+        if (phases_16[0]) begin
+            magnitude_sum_d1_copy6 <= add_f32_ftz_unit_copy4_y;
+            magnitude_sum_d1_copy7 <= add_f32_ftz_unit_copy5_y;
+            magnitude_sum_d1_copy9 <= add_f32_ftz_unit_copy6_y;
+            magnitude_sum_d1_copy10 <= add_f32_ftz_unit_copy7_y;
+        end
+        if (phases_3[1]) begin
+            magnitude_sum_d1_copy8 <= add_f32_ftz_unit_copy6_y;
+            magnitude_sum_d1_copy11 <= add_f32_ftz_unit_copy7_y;
+            a_y_times_n_y_d1 <= mul_f32_ftz_unit_copy2_y;
+        end
+        if (phases_4[5]) begin
+            n_x_d1 <= mul_f32_ftz_unit_copy2_y;
+            n_x_d2 <= n_x_d1;
+            n_x_d3 <= n_x_d2;
+            n_x_d4 <= n_x_d3;
+        end
+        if (phases_3[3]) begin
+            n_y_d2 <= n_y_d1;
+            n_y_d3 <= n_y_d2;
+            n_y_d4 <= n_y_d3;
+        end
+        if (phases_3[2]) residual_sum_d1 <= mul_add_f32_ftz_unit_y;
+        if (phases_5[5]) begin
+            residual_d1 <= mul_add_f32_ftz_unit_y;
+            from_start_y_d1 <= add_f32_ftz_unit_copy7_y;
+        end
+        if (phases_2[7]) begin
+            valid_d1 <= valid;
             normal_x_d1 <= normal_x;
             normal_y_d1 <= normal_y;
             normal_z_d1 <= normal_z;
+            finished_d1 <= finished;
         end
-        if (phases_18[0]) residual_there_d1 <= residual_there;
-        if (phases_1[7]) close_d1 <= le_f32_ftz_unit_y;
-        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase[2] ? add_f32_ftz_unit_a_choice : add_f32_ftz_unit_a_choice_3;
-        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase_copy2[2] ? add_f32_ftz_unit_b_choice_2 : add_f32_ftz_unit_b_choice_5;
-        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase[2] ? add_f32_ftz_unit_copy2_a_choice_2 : add_f32_ftz_unit_copy2_a_choice_5;
-        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase_copy2[2] ? add_f32_ftz_unit_copy2_b_choice_2 : add_f32_ftz_unit_copy2_b_choice_5;
-        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase[2] ? add_f32_ftz_unit_copy3_a_choice_2 : add_f32_ftz_unit_copy3_a_choice_5;
+        if (phases_17[0]) along_d1 <= mul_add_f32_ftz_unit_y;
+        if (phases_3[6]) begin
+            surface_x_d1 <= surface_x;
+            surface_z_d1 <= surface_z;
+        end
+        if (phases_3[7]) residual_there_d1 <= residual_there;
+        add_f32_ftz_unit_a <= add_f32_ftz_unit_phase[2] ? add_f32_ftz_unit_a_choice : add_f32_ftz_unit_a_choice_4;
+        add_f32_ftz_unit_b <= add_f32_ftz_unit_phase_copy2[2] ? add_f32_ftz_unit_b_choice_3 : add_f32_ftz_unit_b_choice_6;
+        add_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy2_phase[2] ? add_f32_ftz_unit_copy2_a_choice_3 : add_f32_ftz_unit_copy2_a_choice_6;
+        add_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy2_phase_copy2[2] ? add_f32_ftz_unit_copy2_b_choice_3 : add_f32_ftz_unit_copy2_b_choice_6;
+        add_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy3_phase[2] ? add_f32_ftz_unit_copy3_a_choice_3 : add_f32_ftz_unit_copy3_a_choice_6;
         add_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy3_phase_copy2[2] ? add_f32_ftz_unit_copy3_b_choice_3 : add_f32_ftz_unit_copy3_b_choice_6;
         add_f32_ftz_unit_copy4_a <= add_f32_ftz_unit_copy4_phase[2] ? add_f32_ftz_unit_copy4_a_choice_3 : add_f32_ftz_unit_copy4_a_choice_6;
         add_f32_ftz_unit_copy4_b <= add_f32_ftz_unit_copy4_phase_copy2[2] ? add_f32_ftz_unit_copy4_b_choice_3 : add_f32_ftz_unit_copy4_b_choice_6;
         add_f32_ftz_unit_copy5_a <= add_f32_ftz_unit_copy5_phase[2] ? add_f32_ftz_unit_copy5_a_choice_2 : add_f32_ftz_unit_copy5_a_choice_5;
         add_f32_ftz_unit_copy5_b <= add_f32_ftz_unit_copy5_phase_copy2[2] ? add_f32_ftz_unit_copy5_b_choice_3 : add_f32_ftz_unit_copy5_b_choice_6;
-        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase[2] ? add_f32_ftz_unit_copy6_a_choice_2 : add_f32_ftz_unit_copy6_a_choice_5;
+        add_f32_ftz_unit_copy6_a <= add_f32_ftz_unit_copy6_phase[2] ? add_f32_ftz_unit_copy6_a_choice : add_f32_ftz_unit_copy6_a_choice_4;
         add_f32_ftz_unit_copy6_b <= add_f32_ftz_unit_copy6_phase_copy2[2] ? add_f32_ftz_unit_copy6_b_choice_3 : add_f32_ftz_unit_copy6_b_choice_6;
         add_f32_ftz_unit_copy7_a <= add_f32_ftz_unit_copy7_phase[2] ? add_f32_ftz_unit_copy7_a_choice_2 : add_f32_ftz_unit_copy7_a_choice_5;
         add_f32_ftz_unit_copy7_b <= add_f32_ftz_unit_copy7_phase_copy2[2] ? add_f32_ftz_unit_copy7_b_choice_3 : add_f32_ftz_unit_copy7_b_choice_6;
-        add_f32_ftz_unit_copy8_a <= add_f32_ftz_unit_copy8_phase[2] ? add_f32_ftz_unit_copy8_a_choice_3 : add_f32_ftz_unit_copy8_a_choice_6;
-        add_f32_ftz_unit_copy8_b <= add_f32_ftz_unit_copy8_phase_copy2[2] ? add_f32_ftz_unit_copy8_b_choice_3 : add_f32_ftz_unit_copy8_b_choice_6;
         mul_f32_ftz_unit_a <= mul_f32_ftz_unit_phase[2] ? mul_f32_ftz_unit_a_choice_2 : mul_f32_ftz_unit_a_choice_3;
-        mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase_copy2[2] ? mul_f32_ftz_unit_b_choice_2 : mul_f32_ftz_unit_b_choice_3;
-        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase[2] ? mul_f32_ftz_unit_copy2_a_choice : mul_f32_ftz_unit_copy2_a_choice_3;
-        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase_copy2[2] ? mul_f32_ftz_unit_copy2_b_choice_2 : mul_f32_ftz_unit_copy2_b_choice_4;
-        mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_copy3_phase[2] ? mul_f32_ftz_unit_copy3_a_choice : mul_f32_ftz_unit_copy3_a_choice_2;
-        mul_f32_ftz_unit_copy3_b <= mul_f32_ftz_unit_copy3_phase_copy2[2] ? mul_f32_ftz_unit_copy3_b_choice : mul_f32_ftz_unit_copy3_b_choice_3;
-        lt_f32_ftz_unit_a <= lt_f32_ftz_unit_phase[2] ? distance : lt_f32_ftz_unit_phase[1] ? 32'd0 : 32'd0;
-        lt_f32_ftz_unit_b <= lt_f32_ftz_unit_phase[2] ? 32'h7e967699 : lt_f32_ftz_unit_b_choice;
+        mul_f32_ftz_unit_b <= mul_f32_ftz_unit_phase_copy2[2] ? mul_f32_ftz_unit_b_choice_3 : mul_f32_ftz_unit_b_choice_4;
+        mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_phase[2] ? delay_6_from_0_out : mul_f32_ftz_unit_copy2_phase[1] ? a_y_d2 : delay_5_from_2_out;
+        mul_f32_ftz_unit_copy2_b <= mul_f32_ftz_unit_copy2_phase[2] ? inverse_length_d1 : mul_f32_ftz_unit_copy2_b_choice;
+        mul_add_f32_ftz_unit_a <= mul_add_f32_ftz_unit_phase[2] ? mul_add_f32_ftz_unit_a_choice_2 : mul_add_f32_ftz_unit_a_choice_4;
+        mul_add_f32_ftz_unit_b <= mul_add_f32_ftz_unit_phase_copy2[2] ? mul_add_f32_ftz_unit_b_choice_3 : mul_add_f32_ftz_unit_b_choice_5;
+        mul_add_f32_ftz_unit_c <= mul_add_f32_ftz_unit_phase_copy3[2] ? mul_add_f32_ftz_unit_c_choice_3 : mul_add_f32_ftz_unit_c_choice_6;
     end
     always @(posedge clk) begin
-        if (phases_1[0]) begin
-            delay_12_from_0[delay_12_from_0_pointer] <= {state_start_z_d1, state_start_y_d1, state_start_x_d1};
-        end
-        if (phases_1[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (phases_1[0]) delay_6_from_0[delay_6_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
+        if (phases_1[0]) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_2[0]) begin
+            delay_12_from_0[delay_12_from_0_pointer] <= {state_start_z_d1, state_start_y_d1, state_start_x_d1};
+        end
+        if (phases_2[0]) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_3[0]) begin
             delay_13_from_0[delay_13_from_0_pointer] <= {query_position_z_d1, query_position_y_d1, query_position_x_d1};
         end
-        if (phases_2[0]) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+        if (phases_3[0]) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[0]) delay_14_from_0[delay_14_from_0_pointer] <= in_thread;
         if (phases_1[0]) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[1]) delay_5_from_1[delay_5_from_1_pointer] <= magnitude_sum_d1_copy7;
-        if (phases_1[1]) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+        if (phases_1[2]) delay_5_from_2[delay_5_from_2_pointer] <= magnitude_sum_d1_copy12;
+        if (phases_1[2]) delay_5_from_2_out <= delay_5_from_2[delay_5_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[4]) begin
-            delay_7_from_4[delay_7_from_4_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y, add_f32_ftz_unit_copy6_y};
-        end
-        if (phases_1[4]) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+        if (phases_1[5]) delay_5_from_5[delay_5_from_5_pointer] <= magnitude_sum_d1_copy5;
+        if (phases_1[5]) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[5]) begin
-            delay_6_from_5[delay_6_from_5_pointer] <= {add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y};
+            delay_7_from_5[delay_7_from_5_pointer] <= {add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy5_y};
         end
-        if (phases_1[5]) delay_6_from_5_out <= delay_6_from_5[delay_6_from_5_pointer];
+        if (phases_1[5]) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[5]) delay_8_from_5[delay_8_from_5_pointer] <= there;
         if (phases_1[5]) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[6]) delay_8_from_6[delay_8_from_6_pointer] <= add_f32_ftz_unit_copy4_y;
+        if (phases_1[6]) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
     end
 
     wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
@@ -3345,7 +3347,7 @@ module process_finish (
     wire check_both_3 = check_both_2 & (phases_8 == phases_1) & (phases_9 == phases_1) & (phases_10 == phases_1);
     wire check_both_4 = check_both_3 & (phases_11 == phases_1) & (phases_12 == phases_1) & (phases_13 == phases_1);
     wire check_both_5 = check_both_4 & (phases_14 == phases_1) & (phases_15 == phases_1) & (phases_16 == phases_1);
-    wire check_both_6 = check_both_5 & (phases_17 == phases_1) & (phases_18 == phases_1) & ((add_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & (phases_17 == phases_1) & ((add_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
     wire check_both_7 = check_both_6 & ((add_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
     wire check_both_8 = check_both_7 & ((add_f32_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
     wire check_both_9 = check_both_8 & ((add_f32_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
@@ -3359,14 +3361,11 @@ module process_finish (
     wire check_both_17 = check_both_16 & ((add_f32_ftz_unit_copy6_phase_copy2 == 3'd0) == phases_1[0]);
     wire check_both_18 = check_both_17 & ((add_f32_ftz_unit_copy7_phase == 3'd0) == phases_1[0]);
     wire check_both_19 = check_both_18 & ((add_f32_ftz_unit_copy7_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_20 = check_both_19 & ((add_f32_ftz_unit_copy8_phase == 3'd0) == phases_1[0]);
-    wire check_both_21 = check_both_20 & ((add_f32_ftz_unit_copy8_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_22 = check_both_21 & ((mul_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
-    wire check_both_23 = check_both_22 & ((mul_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_24 = check_both_23 & ((mul_f32_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
-    wire check_both_25 = check_both_24 & ((mul_f32_ftz_unit_copy2_phase_copy2 == 3'd0) == phases_1[0]);
-    wire check_both_26 = check_both_25 & ((mul_f32_ftz_unit_copy3_phase == 3'd0) == phases_1[0]);
-    wire check_both_27 = check_both_26 & ((mul_f32_ftz_unit_copy3_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((mul_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((mul_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((mul_f32_ftz_unit_copy2_phase == 3'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((mul_add_f32_ftz_unit_phase == 3'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((mul_add_f32_ftz_unit_phase_copy2 == 3'd0) == phases_1[0]);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -3375,7 +3374,7 @@ module process_finish (
         queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_27 & ((lt_f32_ftz_unit_phase == 3'd0) == phases_1[0]));
+        phases_are_in_step: assert (check_both_24 & ((mul_add_f32_ftz_unit_phase_copy3 == 3'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -3392,7 +3391,7 @@ module process_finish (
         if (!(queue_3_out_valid == out_valid)) begin
             $display("assertion failed: queue_3_in_step in %m"); $stop;
         end
-        if (!(check_both_27 & ((lt_f32_ftz_unit_phase == 3'd0) == phases_1[0]))) begin
+        if (!(check_both_24 & ((mul_add_f32_ftz_unit_phase_copy3 == 3'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -4103,6 +4102,18 @@ module float_rsqrt_s26_f32ftz (
         residual_s7_choice[33:32], residual_s8_choice[34:33], residual_s9_choice[35:34], significand_s25[25],
         significand_s25_difference[50:0]
     };
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f32-ftz
+module float_mul_add_f32ftz (
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
+    output wire [31:0] y
+);
+    wire [31:0] product_y;
+
+    float_mul_s5_f32ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_add_s6_f32ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(c), .y(y));
 endmodule
 
 // Floating-point reciprocal, correctly rounded.

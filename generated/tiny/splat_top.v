@@ -3605,7 +3605,7 @@ module splat_tile_cache (
     reg [3:0] head_last_difference;  // Largest difference.
     reg [7:0] head_tile;  // Tile index: row above column.
     reg [5:0] head_splat;  // Place of its splat's payload.
-    reg clearing;
+    reg clearing, clearing_second;
     reg [8:0] cleared;
     reg surface;
     reg [63:0] mask;
@@ -3684,6 +3684,8 @@ module splat_tile_cache (
     wire write_queue_in_ready;
     wire [142:0] write_queue_out_data;
 
+    wire frame_is_whole = arrived & arrived_end;
+    wire full_either = clearing | (clearing_second & (arriving_surface | frame_is_whole));
     wire [63:0] mask_that_comes = {64{comes}} & mask;
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
     wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
@@ -3710,6 +3712,8 @@ module splat_tile_cache (
     wire may_fill = moving & may_fill_either & (~filling | fills);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
+    wire word_is_cleared_both = clearing_second & ~(changed | frame_leaves | (arrived | forgets));
+    wire word_is_cleared = clearing | word_is_cleared_both;
     wire may_leave = |seen_mask & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
     wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
@@ -3798,6 +3802,7 @@ module splat_tile_cache (
     wire [3:0] in_queue_out_first_difference = in_queue_out_data[21:18];
     wire [3:0] in_queue_out_last_difference = in_queue_out_data[17:14];
     wire [5:0] in_queue_out_splat = in_queue_out_data[5:0];
+    wire [8:0] cleared_plus_1 = cleared + 9'd1;
     wire start = misses & (~any_wanted & ~sends);
     wire next_is_0 = next == 2'd0;
     wire next_is_1 = next == 2'd1;
@@ -3935,7 +3940,6 @@ module splat_tile_cache (
     };
     wire seen_stays_either = |seen_stays_bits | (head_valid & ~head_end & (head_tile == looked_at));
     wire seen_stays_either_2 = seen_stays_either | (goes & end_waits_either_2 & (goes_tile == looked_at));
-    wire frame_is_whole = arrived & arrived_end;
     wire overtaken_both = copy_enters & ({arriving_surface, arrived_tile} == {surface, in_queue_out_tile});
     wire overtaken_both_2 = copy_enters & ({arriving_surface, arrived_tile} == {surface, head_tile});
     wire overtaken_or_overtaken_both_2 = overtaken | overtaken_both_2;
@@ -3951,7 +3955,7 @@ module splat_tile_cache (
         pixel_attribute_2
     } = pixel_queue_out_data;
     assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
-    assign full = clearing | (whole_frames[1] | (whole_frames[0] & frame_is_given));
+    assign full = full_either | (whole_frames[1] | (whole_frames[0] & frame_is_given));
     assign change_valid = |unchanged;
     assign change_slot = slot;
     assign change_banks = unchanged;
@@ -3969,17 +3973,17 @@ module splat_tile_cache (
     assign fill_slot = slot;
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(512)) stored_masks (
-        .clk(clk), .write(mask_is_kept | clearing | sends),
-        .write_address(clearing ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
+        .clk(clk), .write(mask_is_kept | word_is_cleared | sends),
+        .write_address(word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
         .write_data({64{mask_is_kept}} & masks_written),
         .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
         .read_data(stored_mask)
     );
 
     memory_1w1r_unordered #(.WIDTH(7), .DEPTH(512)) last_copies (
-        .clk(clk), .write(clearing | (copy_enters | forgets)),
-        .write_address(clearing ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
-        .write_data({copy_enters & ~clearing, arrived_splat}),
+        .clk(clk), .write(word_is_cleared | (copy_enters | forgets)),
+        .write_address(word_is_cleared ? cleared : copy_enters ? {arriving_surface, arrived_tile} : forgotten),
+        .write_data({copy_enters & ~word_is_cleared, arrived_splat}),
         .read(1'd1),
         .read_address(look_is_read_both ? {surface, in_queue_out_tile} : stored_masks_address_bits),
         .read_data(last_copy)
@@ -4043,6 +4047,7 @@ module splat_tile_cache (
         if (rst) begin
             head_valid <= 1'd0;
             clearing <= 1'd1;
+            clearing_second <= 1'd1;
             cleared <= 9'd0;
             surface <= 1'd0;
             looking <= 1'd0;
@@ -4096,7 +4101,7 @@ module splat_tile_cache (
             forgets <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~(send | switches) : in_queue_out_valid;
-            clearing <= clearing & ~(&cleared);
+            clearing <= clearing & ~cleared_plus_1[8];
             surface <= surface ^ switches;
             looking <= job_starts;
             unchanged <= still_unchanged | {2{looking}};
@@ -4126,7 +4131,8 @@ module splat_tile_cache (
             looked_up <= look_is_read_both & ~in_queue_out_end;
             compared <= looked_up;
             forgets <= last_reached | forgets_both;
-            if (clearing) cleared <= cleared + 9'd1;
+            if (word_is_cleared & &cleared) clearing_second <= 1'd0;
+            if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
                 wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
@@ -5786,20 +5792,22 @@ module splat_splitter (
     wire [9:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[6:3], 3'd0};
     wire [9:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
     wire [9:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 10'd8;
-    wire [9:0] first_sum_next = take ? first_sum_row_begins_difference : wraps ? first_sum_row_begins_minus_8 : (first_sum_here - 10'd8);
+    wire [9:0] first_sum_next_choice = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 10'd8);
+    wire [9:0] first_sum_next = open ? first_sum_row_begins_difference : first_sum_next_choice;
     wire [9:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
     wire [9:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 10'd8;
-    wire [9:0] last_sum_next = take ? last_sum_row_begins_difference : wraps ? last_sum_row_begins_minus_8 : (last_sum_here - 10'd8);
+    wire [9:0] last_sum_next_choice = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 10'd8);
+    wire [9:0] last_sum_next = open ? last_sum_row_begins_difference : last_sum_next_choice;
     wire [3:0] last_sum_choice = (|last_sum_next[8:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
     wire [9:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[6:3], 3'd0};
     wire [9:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
     wire [9:0] first_difference_row_begins_sum = first_difference_row_begins + 10'd8;
-    wire [9:0] first_difference_next_choice = wraps ? first_difference_row_begins_sum : (first_difference_here - 10'd8);
-    wire [9:0] first_difference_next = take ? first_difference_row_begins_difference : first_difference_next_choice;
+    wire [9:0] first_difference_next_choice = right_most ? first_difference_row_begins_sum : (first_difference_here - 10'd8);
+    wire [9:0] first_difference_next = open ? first_difference_row_begins_difference : first_difference_next_choice;
     wire [9:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
     wire [9:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 10'd8;
-    wire [9:0] last_difference_next_choice = wraps ? last_difference_row_begins_sum_2 : (last_difference_here - 10'd8);
-    wire [9:0] last_difference_next = take ? last_difference_row_begins_difference : last_difference_next_choice;
+    wire [9:0] last_difference_next_choice = right_most ? last_difference_row_begins_sum_2 : (last_difference_here - 10'd8);
+    wire [9:0] last_difference_next = open ? last_difference_row_begins_difference : last_difference_next_choice;
     wire [3:0] last_difference_choice = (|last_difference_next[8:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
 
     assign in_ready = ready;
@@ -5828,7 +5836,9 @@ module splat_splitter (
             open <= 1'd1;
         end else begin
             busy <= take | (busy & ~(step & open));
-            if (moves) open <= take ? (in_end | (one_column & one_row)) : open_either;
+            if (moves) begin
+                open <= (open & in_valid) ? (in_end | (one_column & one_row)) : open_either;
+            end
         end
     end
     always @(posedge clk) begin
@@ -5855,10 +5865,10 @@ module splat_splitter (
             splat_bottom <= in_bottom;
         end
         if (moves) begin
-            right_most <= take ? one_column : reaches_right;
-            column <= take ? in_left[6:3] : right_most ? splat_left[6:3] : column_plus_1;
-            left <= take ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
-            right <= take ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
+            right_most <= open ? one_column : reaches_right;
+            column <= open ? in_left[6:3] : right_most ? splat_left[6:3] : column_plus_1;
+            left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
+            right <= open ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
             first_sum_here <= first_sum_next;
             first_sum <= first_sum_next[9] ? 4'd0 : |first_sum_next[8:4] ? 4'd15 : first_sum_next[3:0];
             last_sum_here <= last_sum_next;
@@ -5869,14 +5879,14 @@ module splat_splitter (
             last_difference <= {last_difference_next[9], {4{last_difference_next[9]}} | last_difference_choice};
         end
         if (take_or_wraps) begin
-            bottom_most <= take ? one_row : reaches_bottom;
-            row <= take ? in_top[6:3] : row_plus_1;
-            top <= take ? in_top[2:0] : 3'd0;
-            bottom <= take ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
-            first_sum_row_begins <= take ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            last_sum_row_begins <= take ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
-            first_difference_row_begins <= take ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            last_difference_row_begins <= take ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
+            bottom_most <= open ? one_row : reaches_bottom;
+            row <= open ? in_top[6:3] : row_plus_1;
+            top <= open ? in_top[2:0] : 3'd0;
+            bottom <= open ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
+            first_sum_row_begins <= open ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
+            last_sum_row_begins <= open ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
+            first_difference_row_begins <= open ? first_difference_row_begins_difference : first_difference_row_begins_sum;
+            last_difference_row_begins <= open ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
         end
         first <= take | (first & ~push);
     end
@@ -5910,7 +5920,7 @@ module stream_half_buffer_w348 (
 endmodule
 
 // Footprint, depth band and bounding octagon of a splat.
-// latency = 160
+// latency = 161
 // initiation_interval = 16
 module splat_setup (
     input  wire clk, input wire rst,
@@ -5965,61 +5975,67 @@ module splat_setup (
     output wire [7:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [55:0] delay_5_from_0 [0:3];
+    reg delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [48:0] delay_10_from_0 [0:8];
+    reg [48:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg delay_6_from_1 [0:4];
+    reg [55:0] delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
-    reg [79:0] delay_5_from_6 [0:3];
+    reg delay_6_from_8 [0:4];
     (* ram_style = "distributed" *)
-    reg [20:0] delay_5_from_7 [0:3];
+    reg delay_7_from_9 [0:5];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_5_from_8 [0:3];
+    reg [96:0] delay_5_from_13 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_7_from_10 [0:5];
+    reg [14:0] delay_5_from_13_copy2 [0:3];
+    (* ram_style = "distributed" *)
+    reg [6:0] delay_5_from_14 [0:3];
     (* ram_style = "distributed" *)
     reg [53:0] delay_7_from_14 [0:5];
     reg [4:0] credits;
     reg [15:0] phases_1;
-    reg [1:0] delay_5_from_0_pointer;
-    reg [55:0] delay_5_from_0_out;
-    reg [3:0] delay_10_from_0_pointer;
-    reg [48:0] delay_10_from_0_out;
-    reg [2:0] delay_6_from_1_pointer;
-    reg delay_6_from_1_out;
-    reg [1:0] delay_5_from_6_pointer;
-    reg [79:0] delay_5_from_6_out;
-    reg [1:0] delay_5_from_7_pointer;
-    reg [20:0] delay_5_from_7_out;
-    reg [1:0] delay_5_from_8_pointer, delay_5_from_8_out;
-    reg [2:0] delay_7_from_10_pointer;
-    reg delay_7_from_10_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg delay_6_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [48:0] delay_11_from_0_out;
+    reg [1:0] delay_5_from_1_pointer;
+    reg [55:0] delay_5_from_1_out;
+    reg [2:0] delay_6_from_8_pointer;
+    reg delay_6_from_8_out;
+    reg [2:0] delay_7_from_9_pointer;
+    reg delay_7_from_9_out;
+    reg [1:0] delay_5_from_13_pointer;
+    reg [96:0] delay_5_from_13_out;
+    reg [1:0] delay_5_from_13_copy2_pointer;
+    reg [14:0] delay_5_from_13_copy2_out;
+    reg [1:0] delay_5_from_14_pointer;
+    reg [6:0] delay_5_from_14_out;
     reg [2:0] delay_7_from_14_pointer;
     reg [53:0] delay_7_from_14_out;
+    reg [23:0] center_x_d1, center_x_d2;
     reg [15:0] phases_2;
-    reg [23:0] center_x_d1, center_x_d2, center_y_d1, center_y_d2, tangent1_x_d1;
+    reg [23:0] center_y_d1, center_y_d2, tangent1_x_d1, tangent1_x_d2, tangent1_y_d1;
     reg [15:0] phases_3;
-    reg [23:0] tangent1_x_d2, tangent1_y_d1, tangent1_y_d2, tangent1_z_d1, tangent1_z_d2;
+    reg [23:0] tangent1_y_d2, tangent1_z_d1, tangent1_z_d2, tangent2_x_d1, tangent2_x_d2;
     reg [15:0] phases_4;
-    reg [23:0] tangent2_x_d1, tangent2_x_d2, tangent2_y_d1, tangent2_y_d2, tangent2_z_d1;
-    reg [15:0] phases_5;
-    reg [23:0] tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1, beta_d2, q_d1, q_d2, f_d1, b_depth_d1, b_depth_d2;
-    reg [23:0] b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1, abs_b_depth_d1, spread_half_d1;
-    reg [23:0] spread_half_d2, half_depth_lesser_d1, half_depth_lesser_d2;
+    reg [23:0] tangent2_y_d1, tangent2_y_d2, tangent2_z_d1, tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1;
+    reg [23:0] beta_d2, q_d1, q_d2, f_d1, f_d2, b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2;
+    reg [23:0] spread_middle_d1, abs_b_depth_d1, f_times_root_of_q_d1, spread_half_d1, half_depth_lesser_d1;
     reg before_far_d1, before_far_d2;
-    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, epsilon_d1, v_x_d1, tangent1_x_times_r_d1, a_x_d1;
-    reg [23:0] tangent2_x_times_r_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3, t_x_sum_d1, t_x_d1;
-    reg [23:0] a_x_squared_plus_b_x_squared_d1, h_x_product_d1, h_x_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
-    reg [23:0] center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2, filter_radius_plus_center_x_d1;
-    reg [23:0] filter_radius_plus_center_x_d2;
+    reg [15:0] phases_5;
+    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, half_depth_times_epsilon_scale_d1, epsilon_d1;
+    reg [23:0] v_x_d1, a_x_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, t_x_sum_d1, t_x_d1, h_x_sum_d1;
+    reg [23:0] h_x_sum_d1_copy2, h_x_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2, center_x_minus_filter_radius_d3;
+    reg [23:0] filter_radius_plus_center_x_d1, filter_radius_plus_center_x_d2, filter_radius_plus_center_x_d3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
-    reg [6:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2;
-    reg [23:0] v_y_d1, tangent1_y_times_r_d1, a_y_d1, b_y_d1, center_y_d1_copy2, center_y_d2_copy2, t_y_sum_d1;
-    reg [23:0] t_y_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
-    reg [23:0] minus_t_y_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, minus_h_y_d1;
-    reg [23:0] center_y_minus_filter_radius_d1, center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3;
-    reg [23:0] filter_radius_plus_center_y_d1, filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3;
+    reg [6:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2, last_x_d3;
+    reg [23:0] v_y_d1;
+    reg [15:0] phases_6;
+    reg [23:0] a_y_d1, b_y_d1, center_y_d1_copy2, center_y_d2_copy2, t_y_sum_d1, t_y_d1, h_y_sum_d1, h_y_d1;
+    reg [23:0] minus_t_y_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_filter_radius_d1;
+    reg [23:0] center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3, filter_radius_plus_center_y_d1;
+    reg [23:0] filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3, last_y_greater_d1;
     reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
     reg [6:0] first_y_d1, first_y_d2, first_y_d3, last_y_d1, last_y_d2;
     reg [10:0] a_x_bits_d1, a_x_bits_d2, a_y_bits_d1, a_y_bits_d2, a_exponent_d1, b_x_bits_d1, b_x_bits_d2;
@@ -6030,6 +6046,7 @@ module splat_setup (
     reg [7:0] unit_delta_chosen_d1;
     reg a_x_sign_d1, a_x_sign_d2;
     reg [23:0] unit_delta_joined_d1;
+    reg [15:0] phases_7;
     reg [10:0] a_y_bits_plus_127_d1;
     reg not_a_y_bits_is_zero_d1, not_a_y_bits_is_zero_d2, unit_delta_both_d1_copy2, a_y_bits_is_255_d1;
     reg a_y_bits_is_255_d2;
@@ -6059,13 +6076,11 @@ module splat_setup (
     reg [10:0] mx_sum_d1_copy2;
     reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, mx_both_d1_copy2, alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [23:0] mx_joined_d1_copy2, mx_product_d1, my_product_d1;
-    reg [15:0] phases_6;
-    reg [23:0] minus_my_product_d1;
+    reg [23:0] mx_joined_d1_copy2;
     reg [10:0] a_exponent_plus_b_exponent_d1, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
-    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, m_exponent_plus_27_d1, largest_d1, largest_d2;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, m_exponent_plus_27_d1, largest_d1;
     reg [10:0] a_x_bits_plus_381_d1;
     reg exponent_both_d1;
     reg [7:0] exponent_chosen_d1;
@@ -6083,49 +6098,49 @@ module splat_setup (
     reg [14:0] unit_delta_bits_d1_copy2;
     reg [7:0] delta_chosen_d1;
     reg unit_delta_sign_d1;
-    reg [10:0] m_exponent_plus_127_d1, m_exponent_plus_127_d2, mx_bits_d1;
-    reg largest_below_mx_sum_d1, not_zero_is_mx_bits_d1, mx_bits_is_255_d1;
-    reg [10:0] mx_sum_minus_largest_d1;
-    reg [14:0] mx_bits_d1_copy2;
-    reg mx_bits_d1_copy3;
-    reg [10:0] my_bits_d1;
-    reg largest_below_my_sum_d1, not_zero_is_my_bits_d1, my_bits_is_255_d1;
-    reg [10:0] my_sum_minus_largest_d1;
-    reg [14:0] my_bits_d1_copy2;
-    reg my_bits_d1_copy3;
+    reg [10:0] m_exponent_plus_127_d1, mx_sum_bits_d1, mx_sum_d1_copy3;
+    reg not_zero_is_mx_sum_bits_d1, mx_both_d1_copy3, mx_sum_bits_is_255_d1;
+    reg [14:0] mx_sum_bits_d1_copy2;
+    reg [7:0] mx_chosen_d1_copy3;
+    reg mx_sum_sign_d1;
+    reg [10:0] my_sum_bits_d1, my_sum_d1;
+    reg not_zero_is_my_sum_bits_d1, my_both_d1, my_sum_bits_is_255_d1;
+    reg [14:0] my_sum_bits_d1_copy2;
+    reg [7:0] my_chosen_d1;
+    reg my_sum_sign_d1;
     reg [10:0] edge_on_lesser_d1;
     reg edge_on_lesser_below_32_d1, unit_delta_bits_is_zero_d1, edge_on_in_order_d1;
-    reg [23:0] first_sum_sum_d1, first_sum_sum_d1_copy2, f_times_first_sum_sum_d1, first_sum_sum_d1_copy3;
-    reg [23:0] first_sum_product_d1, t_x_plus_t_y_d1, t_x_plus_t_y_d2, t_x_plus_t_y_d3, first_difference_sum_d1;
-    reg [15:0] phases_7;
-    reg [23:0] t_x_minus_t_y_d1, t_x_minus_t_y_d2, t_x_minus_t_y_d3, root_of_first_sum_sum_d1, first_sum_greater_d1;
-    reg [26:0] first_sum_sum_d1_copy4;
-    reg [23:0] last_sum_greater_d1;
-    reg [26:0] last_sum_sum_d1;
-    reg [23:0] root_of_first_difference_sum_d1, first_difference_greater_d1;
-    reg [26:0] first_difference_sum_d1_copy2, last_difference_sum_d1;
+    reg [23:0] first_sum_product_d1, first_sum_sum_d1, first_sum_sum_d2, first_sum_product_d1_copy2, t_x_plus_t_y_d1;
+    reg [23:0] t_x_plus_t_y_d2, t_x_plus_t_y_d3, first_difference_sum_d1, t_x_minus_t_y_d1, t_x_minus_t_y_d2;
+    reg [23:0] t_x_minus_t_y_d3, root_of_first_sum_sum_d1, first_sum_sum_d1_copy2;
+    reg [26:0] first_sum_sum_d1_copy3;
+    reg [23:0] last_sum_sum_d1;
+    reg [26:0] last_sum_sum_d1_copy2;
+    reg [23:0] root_of_first_difference_sum_d1;
+    reg [26:0] first_difference_sum_d1_copy2;
+    reg [23:0] last_difference_sum_d1;
+    reg [26:0] last_difference_sum_d1_copy2;
     reg [21:0] center_x_fixed_d1;
-    reg center_x_bits_below_140_d1, first_sum_both_d8;
-    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy2, last_sum_shifted_d1;
-    reg [26:0] first_sum_greater_d1_copy2, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
-    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy3, last_difference_sum_d1_copy2;
-    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy3, first_difference_greater_d1_copy2;
+    reg first_sum_both_d8;
+    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
+    reg [26:0] first_sum_greater_d1, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
+    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy3, last_difference_sum_d1_copy3;
+    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy4, first_difference_greater_d1;
     reg [26:0] first_difference_d1, last_difference_lesser_d1;
     reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
     reg [7:0] last_sum_out_d1, last_difference_out_d1;
-    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_d1;
-    reg center_x_bits_below_140_d1_copy2, placed_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_d1, placed_d1;
     reg [29:0] center_x_out_shifted_d1;
-    reg [27:0] center_x_out_lesser_d1, center_x_out_d6;
-    reg [15:0] phases_8;
-    reg [27:0] center_x_out_d7;
+    reg [27:0] center_x_out_lesser_d1, center_x_out_d6, center_x_out_d7;
     reg [29:0] center_y_out_shifted_d1;
     reg [27:0] center_y_out_lesser_d1, center_y_out_d6, center_y_out_d7;
     reg [28:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
     reg [28:0] shift_difference_d1_copy2;
     reg [27:0] shift_chosen_bits_d1;
-    reg [28:0] not_shift_difference_d1, shift_shifted_d1_copy3, center_y_out_d1, shift_difference_d1_copy3;
-    reg [28:0] shift_shifted_d1_copy4, shift_difference_d1_copy4;
+    reg [28:0] not_shift_difference_d1;
+    reg [15:0] phases_8;
+    reg [28:0] shift_shifted_d1_copy3, center_y_out_d1, shift_difference_d1_copy3, shift_shifted_d1_copy4;
+    reg [28:0] shift_difference_d1_copy4;
     reg [27:0] shift_chosen_bits_d1_copy2, shift_either_d1;
     reg [28:0] not_shift_difference_d1_copy2;
     reg [10:0] shift_either_bits_d1;
@@ -6149,17 +6164,18 @@ module splat_setup (
     reg [3:0] shift_chosen_d1_copy3;
     reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2;
-    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d2, delta_bits_d3, delta_bits_d4, delta_bits_d5;
-    reg [9:0] exponent_chosen_d1_copy5, exponent_joined_bits_d1, exponent_joined_bits_d2, exponent_joined_bits_d3;
-    reg [9:0] exponent_joined_bits_d4, exponent_joined_bits_d5, exponent_joined_bits_d1_copy2;
-    reg [9:0] exponent_joined_bits_d2_copy2, exponent_joined_bits_d3_copy2, exponent_joined_bits_d4_copy2;
-    reg [9:0] exponent_joined_bits_d5_copy2, exponent_joined_bits_d1_copy3, exponent_joined_bits_d2_copy3;
-    reg [9:0] exponent_joined_bits_d3_copy3, exponent_joined_bits_d4_copy3, exponent_joined_bits_d5_copy3;
-    reg [9:0] exponent_joined_bits_d1_copy4, exponent_joined_bits_d2_copy4, exponent_joined_bits_d3_copy4;
-    reg [9:0] exponent_joined_bits_d4_copy4, exponent_joined_bits_d5_copy4, mx_bits_d1_copy4, mx_bits_d2;
-    reg [9:0] mx_bits_d3, mx_bits_d4, mx_bits_d5, my_bits_d1_copy4, my_bits_d2, my_bits_d3, my_bits_d4;
-    reg [9:0] exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3, exponent_greater_d1_copy4;
-    reg [9:0] exponent_greater_d1_copy5, exponent_d1, exponent_joined_bits_plus_126_d1;
+    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d2, delta_bits_d3, delta_bits_d4, exponent_chosen_d1_copy5;
+    reg [7:0] exponent_joined_bits_d1;
+    reg [9:0] exponent_joined_bits_d1_copy2, exponent_joined_bits_d2, exponent_joined_bits_d3;
+    reg [9:0] exponent_joined_bits_d4, exponent_joined_bits_d1_copy3, exponent_joined_bits_d2_copy2;
+    reg [9:0] exponent_joined_bits_d3_copy2, exponent_joined_bits_d4_copy2, exponent_joined_bits_d5;
+    reg [9:0] exponent_joined_bits_d1_copy4, exponent_joined_bits_d2_copy3, exponent_joined_bits_d3_copy3;
+    reg [9:0] exponent_joined_bits_d4_copy3, exponent_joined_bits_d5_copy2, exponent_joined_bits_d1_copy5;
+    reg [9:0] exponent_joined_bits_d2_copy4, exponent_joined_bits_d3_copy4, exponent_joined_bits_d4_copy4;
+    reg [9:0] exponent_joined_bits_d5_copy3, mx_bits_d1, mx_bits_d2, mx_bits_d3, mx_bits_d4, mx_bits_d5, my_bits_d1;
+    reg [9:0] my_bits_d2, my_bits_d3, my_bits_d4, my_bits_d5, exponent_greater_d1, exponent_greater_d1_copy2;
+    reg [9:0] exponent_greater_d1_copy3, exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1;
     reg ax_out_both_d1;
     reg [23:0] ax_out_joined_d1;
     reg [19:0] ax_out_shifted_d1;
@@ -6185,39 +6201,39 @@ module splat_setup (
     reg [19:0] mx_out_shifted_d1;
     reg [17:0] mx_out_lesser_d1;
     reg [9:0] my_bits_plus_126_d1;
-    reg not_zero_is_my_bits_d1_copy2, not_zero_is_my_bits_d2, not_zero_is_my_bits_d3, not_zero_is_my_bits_d4;
-    reg my_out_both_d1, my_sign_d1, my_sign_d2, my_sign_d3, my_sign_d4;
-    reg [14:0] my_bits_d1_copy5, my_bits_d2_copy2, my_bits_d3_copy2, my_bits_d4_copy2;
+    reg my_out_both_d1;
     reg [23:0] my_out_joined_d1;
     reg [19:0] my_out_shifted_d1;
     reg [17:0] my_out_lesser_d1;
+    reg [9:0] delta_bits_plus_126_d1;
     reg vanishes_in_order_d1;
     reg [9:0] vanishes_difference_d1;
     reg [23:0] vanishes_joined_d1, vanishes_shifted_d1;
     reg [21:0] vanishes_lesser_d1;
     reg odd_either_d1, exponent_joined_bits_is_255_d1, exponent_joined_bits_is_255_d1_copy2;
-    reg odd_either_or_mx_bits_is_255_d1, odd_either_d1_copy2, delta_bits_is_255_d1, vanishes_d1;
-    reg not_placed_d1, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2;
-    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_low_out_d2;
-    reg [23:0] depth_high_out_d1, depth_high_out_d2;
+    reg odd_either_or_mx_bits_is_255_d1, my_bits_is_255_d1, delta_bits_is_255_d1, vanishes_d1, not_placed_d1;
+    reg edge_on_or_not_placed_d1;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, middle_depth_minus_epsilon_d1;
+    reg [23:0] depth_low_out_d1, depth_low_out_d2, middle_depth_plus_epsilon_d1, depth_high_out_d1;
+    reg [23:0] depth_high_out_d2;
     reg [3:0] recip_f24_ftz_unit_phase;
     reg [23:0] recip_f24_ftz_unit_a;
     reg [3:0] mul_f24_ftz_unit_phase, mul_f24_ftz_unit_phase_copy2;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [3:0] mul_f24_ftz_unit_phase_copy3, mul_f24_ftz_unit_phase_copy4;
     reg [23:0] mul_f24_ftz_unit_b;
-    reg [3:0] mul_f24_ftz_unit_copy2_phase, mul_f24_ftz_unit_copy2_phase_copy2;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [3:0] mul_f24_ftz_unit_copy2_phase_copy3, mul_f24_ftz_unit_copy2_phase_copy4;
+    reg [3:0] mul_f24_ftz_unit_copy2_phase_copy2;
     reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [3:0] mul_f24_ftz_unit_copy3_phase, mul_f24_ftz_unit_copy3_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [3:0] mul_f24_ftz_unit_copy3_phase_copy3, mul_f24_ftz_unit_copy3_phase_copy4;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [3:0] mul_f24_ftz_unit_copy4_phase, mul_f24_ftz_unit_copy4_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [3:0] mul_f24_ftz_unit_copy4_phase_copy3, mul_f24_ftz_unit_copy4_phase_copy4;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
+    reg [3:0] mul_mul_add_f24_ftz_unit_phase, mul_mul_add_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_mul_add_f24_ftz_unit_a;
+    reg [3:0] mul_mul_add_f24_ftz_unit_phase_copy3, mul_mul_add_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_mul_add_f24_ftz_unit_b;
+    reg [3:0] mul_mul_add_f24_ftz_unit_phase_copy5, mul_mul_add_f24_ftz_unit_phase_copy6;
+    reg [23:0] mul_mul_add_f24_ftz_unit_c;
+    reg [3:0] mul_mul_add_f24_ftz_unit_phase_copy7, mul_mul_add_f24_ftz_unit_phase_copy8;
+    reg [23:0] mul_mul_add_f24_ftz_unit_d;
     reg [3:0] add_f24_ftz_unit_phase, add_f24_ftz_unit_phase_copy2;
     reg [23:0] add_f24_ftz_unit_a;
     reg [3:0] add_f24_ftz_unit_phase_copy3, add_f24_ftz_unit_phase_copy4;
@@ -6226,14 +6242,8 @@ module splat_setup (
     reg [23:0] add_f24_ftz_unit_copy2_a;
     reg [3:0] add_f24_ftz_unit_copy2_phase_copy3, add_f24_ftz_unit_copy2_phase_copy4;
     reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [3:0] add_f24_ftz_unit_copy3_phase, add_f24_ftz_unit_copy3_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [3:0] add_f24_ftz_unit_copy3_phase_copy3, add_f24_ftz_unit_copy3_phase_copy4;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
     reg [3:0] sqrt_f24_ftz_unit_phase;
     reg [23:0] sqrt_f24_ftz_unit_a;
-    reg [3:0] le_f24_ftz_unit_phase;
-    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b;
     reg [3:0] min_f24_ftz_unit_phase;
     reg [23:0] min_f24_ftz_unit_a;
     reg [3:0] min_f24_ftz_unit_phase_copy2;
@@ -6248,13 +6258,12 @@ module splat_setup (
     reg [23:0] to_fixed_f24_ftz_s29q15_unit_a;
     reg [3:0] to_fixed_f24_ftz_s19q18_unit_phase;
     reg [23:0] to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
-    reg [9:0] in_flight;
+    reg [10:0] in_flight;
     reg left, dropped;
 
-    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
-    wire [23:0] sqrt_f24_ftz_unit_y;
-    wire le_f24_ftz_unit_y;
+    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_mul_add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, sqrt_f24_ftz_unit_y;
+    wire le_f24_ftz_unit_y, le_f24_ftz_unit_copy2_y;
     wire [23:0] min_f24_ftz_unit_y, max_f24_ftz_unit_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
@@ -6272,12 +6281,11 @@ module splat_setup (
     wire queue_4_in_ready, queue_4_out_valid;
 
     assign in_ready = ~credits[4] & phases_1[0];
-    wire in_flight_9_and_phases_5_0 = in_flight[9] & phases_5[0];
-    wire end_d10 = delay_10_from_0_out[0];
-    wire end_or_visible = end_d10 | visible_d1;
-    wire kept = in_flight_9_and_phases_5_0 & end_or_visible;
-    wire odd_or_edge_on_or_not_placed_d5 = delay_5_from_8_out[1];
-    wire covers_nothing = vanishes_d1 | odd_or_edge_on_or_not_placed_d5;
+    wire in_flight_10_and_phases_3_1 = in_flight[10] & phases_3[1];
+    wire end_d11 = delay_11_from_0_out[0];
+    wire end_or_visible = end_d11 | visible_d1;
+    wire kept = in_flight_10_and_phases_3_1 & end_or_visible;
+    wire covers_nothing = vanishes_d1 | delay_6_from_0_out;
     wire [17:0] ax_out = covers_nothing ? 18'd0 : ax_out_lesser_d1;
     wire [17:0] bx_out = covers_nothing ? 18'd0 : bx_out_lesser_d1;
     wire [17:0] ay_out = covers_nothing ? 18'd0 : ay_out_lesser_d1;
@@ -6285,12 +6293,12 @@ module splat_setup (
     wire [21:0] delta_out = covers_nothing ? 22'd0 : vanishes_lesser_d1;
     wire [17:0] mx_out = covers_nothing ? 18'd0 : mx_out_lesser_d1;
     wire [17:0] my_out = covers_nothing ? 18'd0 : my_out_lesser_d1;
-    wire [15:0] attribute_0_d10 = delay_10_from_0_out[16:1];
-    wire [15:0] attribute_1_d10 = delay_10_from_0_out[32:17];
-    wire [15:0] attribute_2_d10 = delay_10_from_0_out[48:33];
+    wire [15:0] attribute_0_d11 = delay_11_from_0_out[16:1];
+    wire [15:0] attribute_1_d11 = delay_11_from_0_out[32:17];
+    wire [15:0] attribute_2_d11 = delay_11_from_0_out[48:33];
     wire in_valid_and_in_ready = in_valid & in_ready;
     wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
-    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d2 : half_depth_lesser_d2;
+    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d1 : half_depth_lesser_d1;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
@@ -6298,6 +6306,7 @@ module splat_setup (
     wire [6:0] first_x = first_x_shifted_d1_shifted[6:0];
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [6:0] last_x = last_x_lesser_minus_1[6:0];
+    wire [23:0] minus_mul_f24_ftz_unit_copy2_y = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
@@ -6305,11 +6314,10 @@ module splat_setup (
     wire [6:0] first_y = first_y_shifted_d1_shifted[6:0];
     wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [6:0] last_y = last_y_lesser_minus_1[6:0];
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
     wire [10:0] a_exponent = (a_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1;
-    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire [10:0] b_exponent = (b_x_bits_d1 < a_x_bits_d1_bits) ? a_x_bits_d1_bits : b_x_bits_d1;
+    wire [10:0] b_exponent = (b_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : b_x_bits_d1;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
     wire a_x_bits_is_zero = a_x_bits_d1_bits == 11'd0;
     wire not_a_x_bits_is_zero = ~a_x_bits_is_zero;
@@ -6330,22 +6338,22 @@ module splat_setup (
     wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
-    wire b_x_bits_is_zero = b_x_bits_d1_bits == 11'd0;
+    wire [10:0] b_x_bits_plus_127 = a_x_bits_plus_127;
+    wire b_x_bits_is_zero = a_x_bits_is_zero;
     wire not_b_x_bits_is_zero = ~b_x_bits_is_zero;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_b_x_bits_is_zero_d1;
-    wire b_x_bits_is_255 = b_x_bits_d1_bits == 11'd255;
+    wire b_x_bits_is_255 = a_x_bits_is_255;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_y_bits_plus_127 = a_x_bits_plus_127;
-    wire b_y_bits_is_zero = a_x_bits_is_zero;
+    wire [10:0] b_y_bits_plus_127 = a_y_bits_plus_127;
+    wire b_y_bits_is_zero = a_y_bits_is_zero;
     wire not_b_y_bits_is_zero = ~b_y_bits_is_zero;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_b_y_bits_is_zero_d1;
-    wire b_y_bits_is_255 = a_x_bits_is_255;
+    wire b_y_bits_is_255 = a_y_bits_is_255;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
@@ -6355,7 +6363,7 @@ module splat_setup (
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d2 + a_exponent_plus_127;
-    wire zero_is_beta_bits = 11'd0 == a_x_bits_d1_bits;
+    wire zero_is_beta_bits = 11'd0 == a_y_bits_d1_bits;
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d2;
@@ -6366,7 +6374,7 @@ module splat_setup (
     wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d2[14:0]} : 23'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d2 + b_exponent_plus_127;
-    wire zero_is_alpha_bits = 11'd0 == a_y_bits_d1_bits;
+    wire zero_is_alpha_bits = 11'd0 == a_x_bits_d1_bits;
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d2;
@@ -6376,7 +6384,7 @@ module splat_setup (
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d2[14:0]} : 23'd0;
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_y[22:15]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy2_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
     wire [10:0] largest_sum = a_exponent_plus_b_exponent_d1 + unit_delta_bits_d1_bits;
@@ -6422,22 +6430,26 @@ module splat_setup (
     wire [10:0] delta_difference = unit_delta_bits_plus_delta_sum_d1 - largest_d1;
     wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d1 : delta_difference;
     wire [10:0] m_exponent_plus_127 = 11'd127 + m_exponent_d1;
-    wire [10:0] mx_sum_copy3 = m_exponent_plus_127_d2 + unit_delta_bits_d1_bits;
-    wire largest_below_mx_sum = largest_d1 < mx_sum_copy3;
-    wire zero_is_mx_bits = zero_is_unit_delta_bits;
-    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire mx_bits_is_255 = unit_delta_bits_is_255;
-    wire [10:0] mx_sum_minus_largest = mx_sum_copy3 - largest_d1;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire [10:0] my_sum = m_exponent_plus_127_d2 + my_bits_d1_bits;
-    wire largest_below_my_sum = largest_d2 < my_sum;
-    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
-    wire not_zero_is_my_bits = ~zero_is_my_bits;
-    wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
-    wire [10:0] my_sum_minus_largest = my_sum - largest_d2;
+    wire [10:0] mx_sum_bits_d1_bits = {3'd0, mul_mul_add_f24_ftz_unit_y[22:15]};
+    wire [10:0] mx_sum_copy3 = m_exponent_plus_127_d1 + mx_sum_bits_d1_bits;
+    wire zero_is_mx_sum_bits = 11'd0 == mx_sum_bits_d1_bits;
+    wire not_zero_is_mx_sum_bits = ~zero_is_mx_sum_bits;
+    wire largest_below_mx_sum = largest_d1 < mx_sum_d1_copy3;
+    wire mx_both_copy3 = largest_below_mx_sum & not_zero_is_mx_sum_bits_d1;
+    wire mx_sum_bits_is_255 = 11'd255 == mx_sum_bits_d1_bits;
+    wire [10:0] mx_sum_minus_largest = mx_sum_d1_copy3 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_sum_bits_is_255_d1 ? mx_sum_bits_d1 : mx_sum_minus_largest;
+    wire [10:0] my_sum = mx_sum_copy3;
+    wire zero_is_my_sum_bits = zero_is_mx_sum_bits;
+    wire not_zero_is_my_sum_bits = ~zero_is_my_sum_bits;
+    wire largest_below_my_sum = largest_d1 < my_sum_d1;
+    wire my_both = largest_below_my_sum & not_zero_is_my_sum_bits_d1;
+    wire my_sum_bits_is_255 = mx_sum_bits_is_255;
+    wire [10:0] my_sum_minus_largest = my_sum_d1 - largest_d1;
+    wire [10:0] my_chosen = my_sum_bits_is_255_d1 ? my_sum_bits_d1 : my_sum_minus_largest;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy2_y[22:15]};
     wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
     wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_d1[22:15]};
@@ -6445,26 +6457,25 @@ module splat_setup (
     wire [26:0] last_sum_sum = first_sum_sum;
     wire [26:0] first_difference_sum = first_sum_sum;
     wire [26:0] last_difference_sum = first_sum_sum;
-    wire center_x_bits_below_140 = unit_delta_bits_d1_bits < 11'd140;
     wire [26:0] first_sum_sum_d7 = delay_7_from_14_out[26:0];
-    wire [26:0] first_sum_difference = first_sum_sum_d7 - first_sum_sum_d1_copy4;
+    wire [26:0] first_sum_difference = first_sum_sum_d7 - first_sum_sum_d1_copy3;
     wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
-    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1 + first_sum_sum_d7;
-    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy2 + 27'h7ffff08;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + first_sum_sum_d7;
+    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
     wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
-    wire [26:0] first_sum = delay_7_from_10_out ? first_sum_greater_d1_copy2 : 27'd0;
+    wire [26:0] first_sum = delay_7_from_9_out ? first_sum_greater_d1 : 27'd0;
     wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd255)) ? last_sum_shifted_d1 : 27'd255;
     wire [26:0] first_difference_difference_d7 = delay_7_from_14_out[53:27];
     wire [26:0] first_difference_difference_copy2 = first_difference_difference_d7 - first_difference_sum_d1_copy2;
     wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
     wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd127;
-    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1 + first_difference_difference_d7;
-    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy2 + 27'd8;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + first_difference_difference_d7;
+    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
     wire [26:0] last_difference_sum_copy4 = 27'd127 + last_difference_shifted_d1;
     wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy3)) ? first_difference_sum_d1_copy3 : 27'd0;
-    wire [26:0] first_difference = first_sum_both_d8 ? first_difference_greater_d1_copy2 : 27'd0;
-    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy3) < $signed(27'd255)) ? last_difference_sum_d1_copy3 : 27'd255;
-    wire [26:0] last_sum = delay_7_from_10_out ? last_sum_lesser_d1 : 27'd255;
+    wire [26:0] first_difference = first_sum_both_d8 ? first_difference_greater_d1 : 27'd0;
+    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy4) < $signed(27'd255)) ? last_difference_sum_d1_copy4 : 27'd255;
+    wire [26:0] last_sum = first_sum_both_d8 ? last_sum_lesser_d1 : 27'd255;
     wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum_d1));
     wire [26:0] last_difference = first_sum_both_d8 ? last_difference_lesser_d1 : 27'd255;
     wire visible_in_order = ~($signed(last_difference) < $signed(first_difference_d1));
@@ -6474,19 +6485,19 @@ module splat_setup (
     wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
     wire visible_both = first_sum_up_to_last_sum_d1 & visible_in_order_d1;
     wire visible_both_and_visible_both = visible_both & visible_both_d2;
-    wire visible = visible_both_and_visible_both & delay_6_from_1_out;
+    wire visible = visible_both_and_visible_both & delay_6_from_8_out;
     wire center_x_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_y[22:15]} < 10'd140;
     wire center_y_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
-    wire placed = center_x_bits_below_140_d1_copy2 & center_y_bits_below_140_copy2;
+    wire placed = center_x_bits_below_140_copy2 & center_y_bits_below_140_copy2;
     wire [29:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s29q15_unit_y[28];
     wire [29:0] center_x_out_sum = center_y_out_sum_bits + {29'd0, not_center_x_fixed_sign};
     wire [29:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(30'h7ffffff)) ? center_x_out_shifted_d1 : 30'h7ffffff;
-    wire [27:0] center_x_out_d5 = delay_5_from_0_out[27:0];
+    wire [27:0] center_x_out_d5 = delay_5_from_1_out[27:0];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
     wire [29:0] center_y_out_sum = center_y_out_sum_bits + {29'd0, not_center_y_fixed_sign};
     wire [29:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(30'h7ffffff)) ? center_y_out_shifted_d1 : 30'h7ffffff;
-    wire [27:0] center_y_out_d5 = delay_5_from_0_out[55:28];
+    wire [27:0] center_y_out_d5 = delay_5_from_1_out[55:28];
     wire [28:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
     wire [28:0] last_x_plus_1 = 29'd1 + {22'd0, last_x_d1};
     wire [28:0] shift_difference_copy2 = shift_shifted_d1_copy2 - center_x_out_d1;
@@ -6541,8 +6552,8 @@ module splat_setup (
     wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
     wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
     wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
-    wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d5;
-    wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d5 - shift_plus_4_d1;
+    wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d4;
+    wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d4 - shift_plus_4_d1;
     wire [9:0] exponent_chosen_copy9 = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
     wire exponent_either = a_x_bits_is_255_d2 | exponent_both_d1;
     wire [22:0] exponent_chosen_copy2 = exponent_either ? {exponent_chosen_d1, a_x_bits_d2_copy2} : 23'd0;
@@ -6552,112 +6563,107 @@ module splat_setup (
     wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? {exponent_chosen_d1_copy2, a_y_bits_d2_copy2} : 23'd0;
     wire exponent_either_copy4 = b_y_bits_is_255_d2 | exponent_both_d1_copy4;
     wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? {exponent_chosen_d1_copy4, b_y_bits_d2_copy2} : 23'd0;
-    wire mx_both_copy3 = largest_below_mx_sum_d1 & not_zero_is_mx_bits_d1;
-    wire mx_both_or_mx_bits_is_255 = mx_both_copy3 | mx_bits_is_255_d1;
-    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_sum_minus_largest_d1;
-    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_copy5[7:0], mx_bits_d1_copy2} : 23'd0;
-    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
-    wire my_both = largest_below_my_sum_d1 & not_zero_is_my_bits_d1;
-    wire my_both_or_my_bits_is_255 = my_both | my_bits_is_255_d1;
-    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_sum_minus_largest_d1;
-    wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen[7:0], my_bits_d1_copy2} : 23'd0;
-    wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
-    wire [9:0] exponent_greater = (exponent_chosen_d1_copy5 < exponent_joined_bits_d5) ? exponent_joined_bits_d5 : exponent_chosen_d1_copy5;
-    wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d5_copy2 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d5_copy2;
-    wire [9:0] exponent_greater_copy3 = (exponent_joined_bits_d5_copy3 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_joined_bits_d5_copy3;
-    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d5_copy4 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d5_copy4;
+    wire mx_both_or_mx_sum_bits_is_255 = mx_both_d1_copy3 | mx_sum_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_sum_bits_is_255 ? {mx_chosen_d1_copy3, mx_sum_bits_d1_copy2} : 23'd0;
+    wire [23:0] mx = {mx_sum_sign_d1, mx_chosen_copy6};
+    wire my_both_or_my_sum_bits_is_255 = my_both_d1 | my_sum_bits_is_255_d1;
+    wire [22:0] my_chosen_copy2 = my_both_or_my_sum_bits_is_255 ? {my_chosen_d1, my_sum_bits_d1_copy2} : 23'd0;
+    wire [23:0] my = {my_sum_sign_d1, my_chosen_copy2};
+    wire [9:0] exponent_greater = (exponent_chosen_d1_copy5 < exponent_joined_bits_d4) ? exponent_joined_bits_d4 : exponent_chosen_d1_copy5;
+    wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d5 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d5;
+    wire [9:0] exponent_greater_copy3 = (exponent_joined_bits_d5_copy2 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_joined_bits_d5_copy2;
+    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d5_copy3 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d5_copy3;
     wire [9:0] exponent_greater_copy5 = (mx_bits_d5 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d5;
-    wire [9:0] exponent = (my_bits_d4 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d4;
+    wire [9:0] exponent = (my_bits_d5 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d5;
     wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d4 + 10'd126;
     wire ax_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
-    wire ax_out_inverted_d5 = delay_5_from_7_out[0];
+    wire ax_out_inverted_d5 = delay_5_from_14_out[0];
     wire ax_out_both = ax_out_in_order & ax_out_inverted_d5;
-    wire exponent_joined_sign_d5 = delay_5_from_6_out[0];
+    wire exponent_joined_sign_d5 = delay_5_from_13_out[0];
     wire [9:0] ax_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy5 = delay_5_from_6_out[15:1];
+    wire [14:0] exponent_joined_bits_d5_copy4 = delay_5_from_13_out[15:1];
     wire [19:0] ax_out_sum_bits = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s19q18_unit_y[18];
     wire [19:0] ax_out_sum = ax_out_sum_bits + {19'd0, not_ax_out_joined_fixed_sign};
     wire [19:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(20'h1ffff)) ? ax_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d4_copy2 + 10'd126;
     wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
-    wire bx_out_inverted_d5 = delay_5_from_7_out[1];
+    wire bx_out_inverted_d5 = delay_5_from_14_out[1];
     wire bx_out_both = bx_out_in_order & bx_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy2 = delay_5_from_6_out[16];
+    wire exponent_joined_sign_d5_copy2 = delay_5_from_13_out[16];
     wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy6 = delay_5_from_6_out[31:17];
+    wire [14:0] exponent_joined_bits_d5_copy5 = delay_5_from_13_out[31:17];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] bx_out_sum = ax_out_sum_bits + {19'd0, not_bx_out_joined_fixed_sign};
     wire [19:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(20'h1ffff)) ? bx_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy3 = exponent_joined_bits_d4_copy3 + 10'd126;
     wire ay_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy3;
-    wire ay_out_inverted_d5 = delay_5_from_7_out[2];
+    wire ay_out_inverted_d5 = delay_5_from_14_out[2];
     wire ay_out_both = ay_out_in_order & ay_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy3 = delay_5_from_6_out[32];
+    wire exponent_joined_sign_d5_copy3 = delay_5_from_13_out[32];
     wire [9:0] ay_out_difference = exponent_joined_bits_plus_126_d1_copy3 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy7 = delay_5_from_6_out[47:33];
+    wire [14:0] exponent_joined_bits_d5_copy6 = delay_5_from_13_out[47:33];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] ay_out_sum = ax_out_sum_bits + {19'd0, not_ay_out_joined_fixed_sign};
     wire [19:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(20'h1ffff)) ? ay_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy4 = exponent_joined_bits_d4_copy4 + 10'd126;
     wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy4;
-    wire by_out_inverted_d5 = delay_5_from_7_out[3];
+    wire by_out_inverted_d5 = delay_5_from_14_out[3];
     wire by_out_both = by_out_in_order & by_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy4 = delay_5_from_6_out[48];
+    wire exponent_joined_sign_d5_copy4 = delay_5_from_13_out[48];
     wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy4 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy8 = delay_5_from_6_out[63:49];
+    wire [14:0] exponent_joined_bits_d5_copy7 = delay_5_from_13_out[63:49];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] by_out_sum = ax_out_sum_bits + {19'd0, not_by_out_joined_fixed_sign};
     wire [19:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(20'h1ffff)) ? by_out_shifted_d1 : 20'h1ffff;
     wire [9:0] mx_bits_plus_126 = mx_bits_d4 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d5 = delay_5_from_8_out[0];
+    wire not_zero_is_mx_bits_d5 = delay_5_from_14_out[4];
     wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d5;
-    wire mx_sign_d5 = delay_5_from_7_out[4];
+    wire mx_sign_d5 = delay_5_from_13_out[64];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d5_copy2 = delay_5_from_7_out[19:5];
+    wire [14:0] mx_bits_d5_copy2 = delay_5_from_13_out[79:65];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] mx_out_sum = ax_out_sum_bits + {19'd0, not_mx_out_joined_fixed_sign};
     wire [19:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(20'h1ffff)) ? mx_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] my_bits_plus_126 = my_bits_d3 + 10'd126;
-    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
-    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
+    wire [9:0] my_bits_plus_126 = my_bits_d4 + 10'd126;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d4;
+    wire not_zero_is_my_bits_d5 = delay_5_from_14_out[5];
+    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d5;
+    wire my_sign_d5 = delay_5_from_13_out[80];
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
+    wire [14:0] my_bits_d5_copy2 = delay_5_from_13_out[95:81];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] my_out_sum = ax_out_sum_bits + {19'd0, not_my_out_joined_fixed_sign};
     wire [19:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(20'h1ffff)) ? my_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] delta_bits_plus_126 = delta_bits_d4 + 10'd126;
     wire [9:0] shift_plus_4_plus_exponent = shift_plus_4_d1 + exponent_d1;
-    wire [9:0] delta_bits_plus_126 = delta_bits_d5 + 10'd126;
-    wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
-    wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d5 = delay_5_from_6_out[64];
-    wire not_zero_is_delta_bits_d5 = delay_5_from_7_out[20];
+    wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126_d1;
+    wire [9:0] vanishes_difference = delta_bits_plus_126_d1 - shift_plus_4_plus_exponent;
+    wire delta_sign_d5 = delay_5_from_13_out[96];
+    wire not_zero_is_delta_bits_d5 = delay_5_from_14_out[6];
     wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d5;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d5_copy2 = delay_5_from_6_out[79:65];
     wire [23:0] vanishes_sum_bits = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s23q22_unit_y[22];
     wire [23:0] vanishes_sum = vanishes_sum_bits + {23'd0, not_vanishes_joined_fixed_sign};
     wire [23:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(24'h1fffff)) ? vanishes_shifted_d1 : 24'h1fffff;
-    wire exponent_joined_bits_is_255 = exponent_joined_bits_d1 == 10'd255;
-    wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy2 == 10'd255;
+    wire exponent_joined_bits_is_255 = {2'd0, exponent_joined_bits_d1} == 10'd255;
+    wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy3 == 10'd255;
     wire odd_either = exponent_joined_bits_is_255 | exponent_joined_bits_is_255_copy2;
-    wire exponent_joined_bits_is_255_copy3 = exponent_joined_bits_d1_copy3 == 10'd255;
-    wire exponent_joined_bits_is_255_copy4 = exponent_joined_bits_d1_copy4 == 10'd255;
+    wire exponent_joined_bits_is_255_copy3 = exponent_joined_bits_d1_copy4 == 10'd255;
+    wire exponent_joined_bits_is_255_copy4 = exponent_joined_bits_d1_copy5 == 10'd255;
     wire odd_either_copy2 = odd_either_d1 | exponent_joined_bits_is_255_d1;
     wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_d1_copy2;
-    wire mx_bits_is_255_copy2 = mx_bits_d1_copy4 == 10'd255;
-    wire odd_either_or_mx_bits_is_255 = odd_either_copy3 | mx_bits_is_255_copy2;
-    wire my_bits_is_255_copy2 = my_bits_d1_copy4 == 10'd255;
-    wire odd_either_copy4 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255_copy2;
+    wire mx_bits_is_255 = mx_bits_d1 == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_copy3 | mx_bits_is_255;
+    wire my_bits_is_255 = my_bits_d1 == 10'd255;
     wire delta_bits_is_255 = delta_bits_d1 == 10'd255;
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(22'd32);
     wire vanishes_in_order_copy3 = $signed(22'h3fffe0) < $signed(vanishes_lesser_d1);
@@ -6666,404 +6672,334 @@ module splat_setup (
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d1 | edge_on_either;
     wire edge_on_or_not_placed = edge_on | not_placed_d1;
-    wire [5:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[0] ? b_depth_d3[23:18] : alpha_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? alpha_d2[23:18] : mul_f24_ftz_unit_a_choice;
-    wire [5:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[0] ? scale_y[23:18] : half_depth_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_a_choice_3;
-    wire [5:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_a_choice_4;
-    wire [5:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase_copy2[0] ? r_d1[23:18] : tangent1_x_d2[23:18];
-    wire [5:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d2[23:18] : recip_f24_ftz_unit_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice_6 : mul_f24_ftz_unit_a_choice_7;
-    wire [5:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase_copy2[1] ? unit_delta_joined_d1[23:18] : 6'd15;
-    wire [5:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_8 : mul_f24_ftz_unit_a_choice_9;
-    wire [5:0] mul_f24_ftz_unit_a_choice_11 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice_5 : mul_f24_ftz_unit_a_choice_10;
-    wire [17:0] mul_f24_ftz_unit_a_choice_12 = mul_f24_ftz_unit_phase[1] ? alpha_d2[17:0] : mul_f24_ftz_unit_phase[0] ? b_depth_d3[17:0] : alpha_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_a_choice_13 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_phase[0] ? scale_y[17:0] : half_depth_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_a_choice_14 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_12 : mul_f24_ftz_unit_a_choice_13;
-    wire [17:0] mul_f24_ftz_unit_a_choice_15 = mul_f24_ftz_unit_phase[0] ? tangent1_z_d2[17:0] : recip_f24_ftz_unit_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_a_choice_16 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? r_d1[17:0] : tangent1_x_d2[17:0]) : mul_f24_ftz_unit_a_choice_15;
-    wire [17:0] mul_f24_ftz_unit_a_choice_17 = mul_f24_ftz_unit_phase[1] ? unit_delta_joined_d1[17:0] : 18'h38008;
-    wire [17:0] mul_f24_ftz_unit_a_choice_18 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_16 : mul_f24_ftz_unit_a_choice_17;
-    wire [17:0] mul_f24_ftz_unit_a_choice_19 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_14 : mul_f24_ftz_unit_a_choice_18;
-    wire [5:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : v_y_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-    wire [5:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : epsilon_scale[23:18];
-    wire [5:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_b_choice_4;
-    wire [5:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
-    wire [5:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : t_x_sum_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[1] ? (mul_f24_ftz_unit_phase_copy4[0] ? depth_b[23:18] : r_d1[23:18]) : mul_f24_ftz_unit_b_choice_7;
-    wire [5:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy4[1] ? unit_delta_joined_d1_copy4[23:18] : first_sum_sum_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_8 : mul_f24_ftz_unit_b_choice_9;
-    wire [5:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_6 : mul_f24_ftz_unit_b_choice_10;
-    wire [17:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : v_y_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_12 : mul_f24_ftz_unit_b_choice_13;
-    wire [17:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : epsilon_scale[17:0];
-    wire [17:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_b_choice_15;
-    wire [17:0] mul_f24_ftz_unit_b_choice_17 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_14 : mul_f24_ftz_unit_b_choice_16;
-    wire [17:0] mul_f24_ftz_unit_b_choice_18 = mul_f24_ftz_unit_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : t_x_sum_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_b_choice_19 = mul_f24_ftz_unit_phase_copy3[1] ? (mul_f24_ftz_unit_phase_copy3[0] ? depth_b[17:0] : r_d1[17:0]) : mul_f24_ftz_unit_b_choice_18;
-    wire [17:0] mul_f24_ftz_unit_b_choice_20 = mul_f24_ftz_unit_phase_copy3[1] ? unit_delta_joined_d1_copy4[17:0] : first_sum_sum_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_b_choice_21 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_19 : mul_f24_ftz_unit_b_choice_20;
-    wire [17:0] mul_f24_ftz_unit_b_choice_22 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_17 : mul_f24_ftz_unit_b_choice_21;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? abs_b_depth_d1[23:18] : scale_x[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? beta_d2[23:18] : mul_f24_ftz_unit_copy2_a_choice;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? scale_y[23:18] : scale_x[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_4;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_a_choice_5;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_7 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? q_d2[23:18] : tangent2_x_d2[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_8 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? tangent2_z_d2[23:18] : recip_f24_ftz_unit_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_9 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_a_choice_7 : mul_f24_ftz_unit_copy2_a_choice_8;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_10 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? unit_delta_joined_d1_copy2[23:18] : a_x_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_11 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_9 : mul_f24_ftz_unit_copy2_a_choice_10;
-    wire [5:0] mul_f24_ftz_unit_copy2_a_choice_12 = mul_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_a_choice_6 : mul_f24_ftz_unit_copy2_a_choice_11;
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_13 = mul_f24_ftz_unit_copy2_phase[0] ? abs_b_depth_d1[17:0] : scale_x[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_14 = mul_f24_ftz_unit_copy2_phase[1] ? beta_d2[17:0] : mul_f24_ftz_unit_copy2_a_choice_13;
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_15 = mul_f24_ftz_unit_copy2_phase[0] ? mul_f24_ftz_unit_copy2_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_16 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_15 : mul_f24_ftz_unit_copy2_phase[0] ? scale_y[17:0] : scale_x[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_17 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_14 : mul_f24_ftz_unit_copy2_a_choice_16;
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_18 = mul_f24_ftz_unit_copy2_phase[0] ? q_d2[17:0] : tangent2_x_d2[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_19 = mul_f24_ftz_unit_copy2_phase[0] ? tangent2_z_d2[17:0] : recip_f24_ftz_unit_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_20 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_18 : mul_f24_ftz_unit_copy2_a_choice_19;
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_21 = mul_f24_ftz_unit_copy2_phase[1] ? unit_delta_joined_d1_copy2[17:0] : a_x_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_22 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_20 : mul_f24_ftz_unit_copy2_a_choice_21;
-    wire [17:0] mul_f24_ftz_unit_copy2_a_choice_23 = mul_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_copy2_a_choice_17 : mul_f24_ftz_unit_copy2_a_choice_22;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y[23:18] : v_x_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_copy3_y[23:18] : add_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_4;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_5;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_7 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? f_d1[23:18] : r_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_8 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : a_x_squared_plus_b_x_squared_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_9 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_7 : mul_f24_ftz_unit_copy2_b_choice_8;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_10 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? unit_delta_joined_d1_copy3[23:18] : a_y_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_11 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? mul_f24_ftz_unit_copy2_b_choice_9 : mul_f24_ftz_unit_copy2_b_choice_10;
-    wire [5:0] mul_f24_ftz_unit_copy2_b_choice_12 = mul_f24_ftz_unit_copy2_phase_copy4[3] ? mul_f24_ftz_unit_copy2_b_choice_6 : mul_f24_ftz_unit_copy2_b_choice_11;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_13 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_14 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[17:0] : v_x_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_15 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_13 : mul_f24_ftz_unit_copy2_b_choice_14;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_16 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? add_f24_ftz_unit_copy3_y[17:0] : add_f24_ftz_unit_copy2_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_17 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_13 : mul_f24_ftz_unit_copy2_b_choice_16;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_18 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_15 : mul_f24_ftz_unit_copy2_b_choice_17;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_19 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : a_x_squared_plus_b_x_squared_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_20 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? (mul_f24_ftz_unit_copy2_phase_copy3[0] ? f_d1[17:0] : r_d1[17:0]) : mul_f24_ftz_unit_copy2_b_choice_19;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_21 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? unit_delta_joined_d1_copy3[17:0] : a_y_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_22 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? mul_f24_ftz_unit_copy2_b_choice_20 : mul_f24_ftz_unit_copy2_b_choice_21;
-    wire [17:0] mul_f24_ftz_unit_copy2_b_choice_23 = mul_f24_ftz_unit_copy2_phase_copy3[3] ? mul_f24_ftz_unit_copy2_b_choice_18 : mul_f24_ftz_unit_copy2_b_choice_22;
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice = mul_f24_ftz_unit_copy3_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_2 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? filter_radius[23:18] : tangent2_y_d2[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_3 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_4 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? unit_delta_joined_d1_copy4[23:18] : scale_x[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_5 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy3_a_choice_4;
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_6 = mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_5;
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_7 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? f_d1[23:18] : tangent1_y_d2[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_8 = mul_f24_ftz_unit_copy3_phase_copy2[0] ? center_x_d2[23:18] : recip_f24_ftz_unit_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_9 = mul_f24_ftz_unit_copy3_phase_copy2[1] ? mul_f24_ftz_unit_copy3_a_choice_7 : mul_f24_ftz_unit_copy3_a_choice_8;
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_10 = mul_f24_ftz_unit_copy3_phase_copy2[2] ? mul_f24_ftz_unit_copy3_a_choice_9 : b_x_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_a_choice_11 = mul_f24_ftz_unit_copy3_phase_copy2[3] ? mul_f24_ftz_unit_copy3_a_choice_6 : mul_f24_ftz_unit_copy3_a_choice_10;
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_12 = mul_f24_ftz_unit_copy3_phase[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_13 = mul_f24_ftz_unit_copy3_phase[0] ? filter_radius[17:0] : tangent2_y_d2[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_14 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_12 : mul_f24_ftz_unit_copy3_a_choice_13;
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_15 = mul_f24_ftz_unit_copy3_phase[0] ? unit_delta_joined_d1_copy4[17:0] : scale_x[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_16 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy3_a_choice_15;
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_17 = mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_14 : mul_f24_ftz_unit_copy3_a_choice_16;
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_18 = mul_f24_ftz_unit_copy3_phase[0] ? f_d1[17:0] : tangent1_y_d2[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_19 = mul_f24_ftz_unit_copy3_phase[0] ? center_x_d2[17:0] : recip_f24_ftz_unit_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_20 = mul_f24_ftz_unit_copy3_phase[1] ? mul_f24_ftz_unit_copy3_a_choice_18 : mul_f24_ftz_unit_copy3_a_choice_19;
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_21 = mul_f24_ftz_unit_copy3_phase[2] ? mul_f24_ftz_unit_copy3_a_choice_20 : b_x_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_a_choice_22 = mul_f24_ftz_unit_copy3_phase[3] ? mul_f24_ftz_unit_copy3_a_choice_17 : mul_f24_ftz_unit_copy3_a_choice_21;
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice = mul_f24_ftz_unit_copy3_phase_copy4[0] ? mul_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_2 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_phase_copy4[0] ? 6'd15 : r_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_3 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? mx_joined_d1_copy2[23:18] : add_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_4 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_y[23:18] : mul_f24_ftz_unit_copy3_b_choice_3;
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_5 = mul_f24_ftz_unit_copy3_phase_copy4[2] ? mul_f24_ftz_unit_copy3_b_choice_2 : mul_f24_ftz_unit_copy3_b_choice_4;
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_6 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? sqrt_f24_ftz_unit_y[23:18] : r_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_7 = mul_f24_ftz_unit_copy3_phase_copy4[0] ? recip_f24_ftz_unit_y[23:18] : t_y_sum_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_8 = mul_f24_ftz_unit_copy3_phase_copy4[1] ? mul_f24_ftz_unit_copy3_b_choice_6 : mul_f24_ftz_unit_copy3_b_choice_7;
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_9 = mul_f24_ftz_unit_copy3_phase_copy4[2] ? mul_f24_ftz_unit_copy3_b_choice_8 : b_y_d1[23:18];
-    wire [5:0] mul_f24_ftz_unit_copy3_b_choice_10 = mul_f24_ftz_unit_copy3_phase_copy4[3] ? mul_f24_ftz_unit_copy3_b_choice_5 : mul_f24_ftz_unit_copy3_b_choice_9;
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_11 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_12 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_11 : mul_f24_ftz_unit_copy3_phase_copy3[0] ? 18'h3b600 : r_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_13 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? mx_joined_d1_copy2[17:0] : add_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_14 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_y[17:0] : mul_f24_ftz_unit_copy3_b_choice_13;
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_15 = mul_f24_ftz_unit_copy3_phase_copy3[2] ? mul_f24_ftz_unit_copy3_b_choice_12 : mul_f24_ftz_unit_copy3_b_choice_14;
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_16 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? sqrt_f24_ftz_unit_y[17:0] : r_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_17 = mul_f24_ftz_unit_copy3_phase_copy3[0] ? recip_f24_ftz_unit_y[17:0] : t_y_sum_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_18 = mul_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_b_choice_16 : mul_f24_ftz_unit_copy3_b_choice_17;
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_19 = mul_f24_ftz_unit_copy3_phase_copy3[2] ? mul_f24_ftz_unit_copy3_b_choice_18 : b_y_d1[17:0];
-    wire [17:0] mul_f24_ftz_unit_copy3_b_choice_20 = mul_f24_ftz_unit_copy3_phase_copy3[3] ? mul_f24_ftz_unit_copy3_b_choice_15 : mul_f24_ftz_unit_copy3_b_choice_19;
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:21] : mul_f24_ftz_unit_copy3_y[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_2 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? scale_y[23:21] : beta_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_3 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_4 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? mul_f24_ftz_unit_copy2_y[23:21] : unit_delta_joined_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_5 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? unit_delta_joined_d1_copy3[23:21] : unit_delta_joined_d1_copy2[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_6 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? mul_f24_ftz_unit_copy4_a_choice_4 : mul_f24_ftz_unit_copy4_a_choice_5;
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_7 = mul_f24_ftz_unit_copy4_phase_copy2[2] ? mul_f24_ftz_unit_copy4_a_choice_3 : mul_f24_ftz_unit_copy4_a_choice_6;
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_8 = mul_f24_ftz_unit_copy4_phase_copy2[0] ? center_y_d2[23:21] : recip_f24_ftz_unit_y[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_9 = mul_f24_ftz_unit_copy4_phase_copy2[1] ? f_d1[23:21] : mul_f24_ftz_unit_copy4_a_choice_8;
-    wire [2:0] mul_f24_ftz_unit_copy4_a_choice_10 = mul_f24_ftz_unit_copy4_phase_copy2[3] ? mul_f24_ftz_unit_copy4_a_choice_7 : mul_f24_ftz_unit_copy4_a_choice_9;
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_11 = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y[20:0] : mul_f24_ftz_unit_copy3_y[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_12 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_11 : mul_f24_ftz_unit_copy4_phase[0] ? scale_y[20:0] : beta_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_13 = mul_f24_ftz_unit_copy4_phase[0] ? mul_f24_ftz_unit_copy2_y[20:0] : unit_delta_joined_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_14 = mul_f24_ftz_unit_copy4_phase[0] ? unit_delta_joined_d1_copy3[20:0] : unit_delta_joined_d1_copy2[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_15 = mul_f24_ftz_unit_copy4_phase[1] ? mul_f24_ftz_unit_copy4_a_choice_13 : mul_f24_ftz_unit_copy4_a_choice_14;
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_16 = mul_f24_ftz_unit_copy4_phase[2] ? mul_f24_ftz_unit_copy4_a_choice_12 : mul_f24_ftz_unit_copy4_a_choice_15;
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_17 = mul_f24_ftz_unit_copy4_phase[0] ? center_y_d2[20:0] : recip_f24_ftz_unit_y[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_18 = mul_f24_ftz_unit_copy4_phase[1] ? f_d1[20:0] : mul_f24_ftz_unit_copy4_a_choice_17;
-    wire [20:0] mul_f24_ftz_unit_copy4_a_choice_19 = mul_f24_ftz_unit_copy4_phase[3] ? mul_f24_ftz_unit_copy4_a_choice_16 : mul_f24_ftz_unit_copy4_a_choice_18;
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:21] : mul_f24_ftz_unit_copy3_y[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_2 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice : v_y_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_3 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mul_f24_ftz_unit_copy3_y[23:21] : mx_joined_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_4 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? mx_joined_d1_copy2[23:21] : mx_joined_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_5 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? mul_f24_ftz_unit_copy4_b_choice_3 : mul_f24_ftz_unit_copy4_b_choice_4;
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_6 = mul_f24_ftz_unit_copy4_phase_copy4[2] ? mul_f24_ftz_unit_copy4_b_choice_2 : mul_f24_ftz_unit_copy4_b_choice_5;
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_7 = mul_f24_ftz_unit_copy4_phase_copy4[0] ? recip_f24_ftz_unit_y[23:21] : a_y_squared_plus_b_y_squared_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_8 = mul_f24_ftz_unit_copy4_phase_copy4[1] ? first_sum_sum_d1_copy2[23:21] : mul_f24_ftz_unit_copy4_b_choice_7;
-    wire [2:0] mul_f24_ftz_unit_copy4_b_choice_9 = mul_f24_ftz_unit_copy4_phase_copy4[3] ? mul_f24_ftz_unit_copy4_b_choice_6 : mul_f24_ftz_unit_copy4_b_choice_8;
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_10 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[20:0] : mul_f24_ftz_unit_copy3_y[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_11 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_10 : v_y_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_12 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[20:0] : mx_joined_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_13 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? mx_joined_d1_copy2[20:0] : mx_joined_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_14 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? mul_f24_ftz_unit_copy4_b_choice_12 : mul_f24_ftz_unit_copy4_b_choice_13;
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_15 = mul_f24_ftz_unit_copy4_phase_copy3[2] ? mul_f24_ftz_unit_copy4_b_choice_11 : mul_f24_ftz_unit_copy4_b_choice_14;
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_16 = mul_f24_ftz_unit_copy4_phase_copy3[0] ? recip_f24_ftz_unit_y[20:0] : a_y_squared_plus_b_y_squared_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_17 = mul_f24_ftz_unit_copy4_phase_copy3[1] ? first_sum_sum_d1_copy2[20:0] : mul_f24_ftz_unit_copy4_b_choice_16;
-    wire [20:0] mul_f24_ftz_unit_copy4_b_choice_18 = mul_f24_ftz_unit_copy4_phase_copy3[3] ? mul_f24_ftz_unit_copy4_b_choice_15 : mul_f24_ftz_unit_copy4_b_choice_17;
-    wire [7:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase_copy2[0] ? mx_product_d1[23:16] : mul_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? depth_a[23:16] : center_x_minus_t_x_d2[23:16];
+    wire [2:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[0] ? abs_b_depth_d1[23:21] : b_depth_d3[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice : scale_x[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[2] ? (mul_f24_ftz_unit_phase_copy2[0] ? 3'd1 : scale_x[23:21]) : mul_f24_ftz_unit_a_choice_2;
+    wire [2:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[0] ? r_d1[23:21] : center_x_d2[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[0] ? tangent1_z_d2[23:21] : q_d2[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
+    wire [2:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase_copy2[1] ? recip_f24_ftz_unit_y[23:21] : half_depth_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_6 : mul_f24_ftz_unit_a_choice_7;
+    wire [2:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_8;
+    wire [20:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase[0] ? abs_b_depth_d1[20:0] : b_depth_d3[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_11 = mul_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_a_choice_10 : scale_x[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_12 = mul_f24_ftz_unit_phase[2] ? (mul_f24_ftz_unit_phase[0] ? 21'h1f8008 : scale_x[20:0]) : mul_f24_ftz_unit_a_choice_11;
+    wire [20:0] mul_f24_ftz_unit_a_choice_13 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? r_d1[20:0] : center_x_d2[20:0]) : mul_f24_ftz_unit_phase[0] ? tangent1_z_d2[20:0] : q_d2[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_14 = mul_f24_ftz_unit_phase[1] ? recip_f24_ftz_unit_y[20:0] : half_depth_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_15 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_13 : mul_f24_ftz_unit_a_choice_14;
+    wire [20:0] mul_f24_ftz_unit_a_choice_16 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_12 : mul_f24_ftz_unit_a_choice_15;
+    wire [2:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_y[23:21] : mul_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[0] ? f_times_root_of_q_d1[23:21] : mul_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_2 : mul_mul_add_f24_ftz_unit_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_3;
+    wire [2:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[0] ? recip_f24_ftz_unit_y[23:21] : f_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[1] ? (mul_f24_ftz_unit_phase_copy4[0] ? depth_b[23:21] : r_d1[23:21]) : mul_f24_ftz_unit_b_choice_5;
+    wire [2:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[1] ? t_x_sum_d1[23:21] : epsilon_scale[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_6 : mul_f24_ftz_unit_b_choice_7;
+    wire [2:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_8;
+    wire [20:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_y[20:0] : mul_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy3[0] ? f_times_root_of_q_d1[20:0] : mul_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_11 : mul_mul_add_f24_ftz_unit_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_10 : mul_f24_ftz_unit_b_choice_12;
+    wire [20:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy3[0] ? recip_f24_ftz_unit_y[20:0] : f_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[1] ? (mul_f24_ftz_unit_phase_copy3[0] ? depth_b[20:0] : r_d1[20:0]) : mul_f24_ftz_unit_b_choice_14;
+    wire [20:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[1] ? t_x_sum_d1[20:0] : epsilon_scale[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_17 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_15 : mul_f24_ftz_unit_b_choice_16;
+    wire [20:0] mul_f24_ftz_unit_b_choice_18 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_13 : mul_f24_ftz_unit_b_choice_17;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase[0] ? filter_radius : unit_delta_joined_d1_copy2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase[1] ? scale_y : mul_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase[2] ? scale_y : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase[0] ? unit_delta_joined_d1 : center_y_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = mul_f24_ftz_unit_copy2_phase[1] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_phase[0] ? tangent2_z_d2 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_6 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_5 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy2[0] ? 24'h3fb600 : unit_delta_joined_d1_copy3;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_mul_add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? unit_delta_joined_d1_copy4 : r_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[0] ? recip_f24_ftz_unit_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_7 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_b_choice_6 : t_y_sum_d1;
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? tangent2_y_d2[23:16] : tangent1_y_d2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? tangent2_x_d2[23:16] : tangent1_x_d2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? mul_mul_add_f24_ftz_unit_a_choice : mul_mul_add_f24_ftz_unit_a_choice_2;
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:16] : t_y_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? mul_mul_add_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_6 = mul_mul_add_f24_ftz_unit_phase_copy2[2] ? mul_mul_add_f24_ftz_unit_a_choice_3 : mul_mul_add_f24_ftz_unit_a_choice_5;
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_7 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? unit_delta_joined_d1_copy3[23:16] : unit_delta_joined_d1_copy2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_8 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? t_x_d1[23:16] : a_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_9 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? mul_mul_add_f24_ftz_unit_a_choice_7 : mul_mul_add_f24_ftz_unit_a_choice_8;
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_10 = mul_mul_add_f24_ftz_unit_phase_copy2[0] ? a_y_d1[23:16] : a_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_11 = mul_mul_add_f24_ftz_unit_phase_copy2[1] ? mul_mul_add_f24_ftz_unit_a_choice_10 : alpha_d2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_12 = mul_mul_add_f24_ftz_unit_phase_copy2[2] ? mul_mul_add_f24_ftz_unit_a_choice_9 : mul_mul_add_f24_ftz_unit_a_choice_11;
+    wire [7:0] mul_mul_add_f24_ftz_unit_a_choice_13 = mul_mul_add_f24_ftz_unit_phase_copy2[3] ? mul_mul_add_f24_ftz_unit_a_choice_6 : mul_mul_add_f24_ftz_unit_a_choice_12;
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_14 = mul_mul_add_f24_ftz_unit_phase[0] ? tangent2_y_d2[15:0] : tangent1_y_d2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_15 = mul_mul_add_f24_ftz_unit_phase[0] ? tangent2_x_d2[15:0] : tangent1_x_d2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_16 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice_14 : mul_mul_add_f24_ftz_unit_a_choice_15;
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_17 = mul_mul_add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[15:0] : t_y_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_18 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice_17 : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_19 = mul_mul_add_f24_ftz_unit_phase[2] ? mul_mul_add_f24_ftz_unit_a_choice_16 : mul_mul_add_f24_ftz_unit_a_choice_18;
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_20 = mul_mul_add_f24_ftz_unit_phase[0] ? unit_delta_joined_d1_copy3[15:0] : unit_delta_joined_d1_copy2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_21 = mul_mul_add_f24_ftz_unit_phase[1] ? mul_mul_add_f24_ftz_unit_a_choice_20 : mul_mul_add_f24_ftz_unit_phase[0] ? t_x_d1[15:0] : a_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_22 = mul_mul_add_f24_ftz_unit_phase[1] ? (mul_mul_add_f24_ftz_unit_phase[0] ? a_y_d1[15:0] : a_x_d1[15:0]) : alpha_d2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_23 = mul_mul_add_f24_ftz_unit_phase[2] ? mul_mul_add_f24_ftz_unit_a_choice_21 : mul_mul_add_f24_ftz_unit_a_choice_22;
+    wire [15:0] mul_mul_add_f24_ftz_unit_a_choice_24 = mul_mul_add_f24_ftz_unit_phase[3] ? mul_mul_add_f24_ftz_unit_a_choice_19 : mul_mul_add_f24_ftz_unit_a_choice_23;
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:16] : t_y_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? mul_mul_add_f24_ftz_unit_b_choice : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy4[2] ? r_d1[23:16] : mul_mul_add_f24_ftz_unit_b_choice_2;
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? mx_joined_d1_copy2[23:16] : mx_joined_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? t_y_d1[23:16] : a_y_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_6 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? mul_mul_add_f24_ftz_unit_b_choice_4 : mul_mul_add_f24_ftz_unit_b_choice_5;
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_7 = mul_mul_add_f24_ftz_unit_phase_copy4[0] ? a_y_d1[23:16] : a_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_8 = mul_mul_add_f24_ftz_unit_phase_copy4[1] ? mul_mul_add_f24_ftz_unit_b_choice_7 : mul_mul_add_f24_ftz_unit_b_choice_7;
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_9 = mul_mul_add_f24_ftz_unit_phase_copy4[2] ? mul_mul_add_f24_ftz_unit_b_choice_6 : mul_mul_add_f24_ftz_unit_b_choice_8;
+    wire [7:0] mul_mul_add_f24_ftz_unit_b_choice_10 = mul_mul_add_f24_ftz_unit_phase_copy4[3] ? mul_mul_add_f24_ftz_unit_b_choice_3 : mul_mul_add_f24_ftz_unit_b_choice_9;
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_11 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[15:0] : t_y_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_12 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_b_choice_11 : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_13 = mul_mul_add_f24_ftz_unit_phase_copy3[2] ? r_d1[15:0] : mul_mul_add_f24_ftz_unit_b_choice_12;
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_14 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? mx_joined_d1_copy2[15:0] : mx_joined_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_15 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? t_y_d1[15:0] : a_y_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_16 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_b_choice_14 : mul_mul_add_f24_ftz_unit_b_choice_15;
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_17 = mul_mul_add_f24_ftz_unit_phase_copy3[0] ? a_y_d1[15:0] : a_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_18 = mul_mul_add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_b_choice_17 : mul_mul_add_f24_ftz_unit_b_choice_17;
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_19 = mul_mul_add_f24_ftz_unit_phase_copy3[2] ? mul_mul_add_f24_ftz_unit_b_choice_16 : mul_mul_add_f24_ftz_unit_b_choice_18;
+    wire [15:0] mul_mul_add_f24_ftz_unit_b_choice_20 = mul_mul_add_f24_ftz_unit_phase_copy3[3] ? mul_mul_add_f24_ftz_unit_b_choice_13 : mul_mul_add_f24_ftz_unit_b_choice_19;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice = mul_mul_add_f24_ftz_unit_phase_copy6[0] ? {~beta_d1[23], beta_d1[22:16]} : {~alpha_d1[23], alpha_d1[22:16]};
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy6[1] ? mul_mul_add_f24_ftz_unit_c_choice : mul_mul_add_f24_ftz_unit_c_choice;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy6[0] ? mul_f24_ftz_unit_copy2_y[23:16] : f_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy6[1] ? mul_mul_add_f24_ftz_unit_c_choice_3 : f_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy6[2] ? mul_mul_add_f24_ftz_unit_c_choice_2 : mul_mul_add_f24_ftz_unit_c_choice_4;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_bits = {~unit_delta_joined_d1_copy4[23], unit_delta_joined_d1_copy4[22:16]};
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_6 = mul_mul_add_f24_ftz_unit_phase_copy6[0] ? {~unit_delta_joined_d1[23], unit_delta_joined_d1[22:16]} : mul_mul_add_f24_ftz_unit_c_bits;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_7 = mul_mul_add_f24_ftz_unit_phase_copy6[0] ? f_d2[23:16] : b_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_8 = mul_mul_add_f24_ftz_unit_phase_copy6[1] ? mul_mul_add_f24_ftz_unit_c_choice_6 : mul_mul_add_f24_ftz_unit_c_choice_7;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_9 = mul_mul_add_f24_ftz_unit_phase_copy6[0] ? b_y_d1[23:16] : b_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_10 = mul_mul_add_f24_ftz_unit_phase_copy6[1] ? mul_mul_add_f24_ftz_unit_c_choice_9 : beta_d2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_11 = mul_mul_add_f24_ftz_unit_phase_copy6[2] ? mul_mul_add_f24_ftz_unit_c_choice_8 : mul_mul_add_f24_ftz_unit_c_choice_10;
+    wire [7:0] mul_mul_add_f24_ftz_unit_c_choice_12 = mul_mul_add_f24_ftz_unit_phase_copy6[3] ? mul_mul_add_f24_ftz_unit_c_choice_5 : mul_mul_add_f24_ftz_unit_c_choice_11;
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_13 = mul_mul_add_f24_ftz_unit_phase_copy5[0] ? beta_d1[15:0] : alpha_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_14 = mul_mul_add_f24_ftz_unit_phase_copy5[1] ? mul_mul_add_f24_ftz_unit_c_choice_13 : mul_mul_add_f24_ftz_unit_c_choice_13;
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_15 = mul_mul_add_f24_ftz_unit_phase_copy5[0] ? mul_f24_ftz_unit_copy2_y[15:0] : f_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_16 = mul_mul_add_f24_ftz_unit_phase_copy5[1] ? mul_mul_add_f24_ftz_unit_c_choice_15 : f_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_17 = mul_mul_add_f24_ftz_unit_phase_copy5[2] ? mul_mul_add_f24_ftz_unit_c_choice_14 : mul_mul_add_f24_ftz_unit_c_choice_16;
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_18 = mul_mul_add_f24_ftz_unit_phase_copy5[0] ? unit_delta_joined_d1[15:0] : unit_delta_joined_d1_copy4[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_19 = mul_mul_add_f24_ftz_unit_phase_copy5[0] ? f_d2[15:0] : b_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_20 = mul_mul_add_f24_ftz_unit_phase_copy5[1] ? mul_mul_add_f24_ftz_unit_c_choice_18 : mul_mul_add_f24_ftz_unit_c_choice_19;
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_21 = mul_mul_add_f24_ftz_unit_phase_copy5[0] ? b_y_d1[15:0] : b_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_22 = mul_mul_add_f24_ftz_unit_phase_copy5[1] ? mul_mul_add_f24_ftz_unit_c_choice_21 : beta_d2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_23 = mul_mul_add_f24_ftz_unit_phase_copy5[2] ? mul_mul_add_f24_ftz_unit_c_choice_20 : mul_mul_add_f24_ftz_unit_c_choice_22;
+    wire [15:0] mul_mul_add_f24_ftz_unit_c_choice_24 = mul_mul_add_f24_ftz_unit_phase_copy5[3] ? mul_mul_add_f24_ftz_unit_c_choice_17 : mul_mul_add_f24_ftz_unit_c_choice_23;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? v_x_d1[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_2 = mul_mul_add_f24_ftz_unit_phase_copy8[1] ? v_y_d1[23:16] : mul_mul_add_f24_ftz_unit_d_choice;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_3 = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? mul_f24_ftz_unit_copy2_y[23:16] : h_y_sum_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_4 = mul_mul_add_f24_ftz_unit_phase_copy8[1] ? mul_mul_add_f24_ftz_unit_d_choice_3 : h_x_sum_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_5 = mul_mul_add_f24_ftz_unit_phase_copy8[2] ? mul_mul_add_f24_ftz_unit_d_choice_2 : mul_mul_add_f24_ftz_unit_d_choice_4;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_6 = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? mx_joined_d1[23:16] : mx_joined_d1_copy2[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_7 = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? first_sum_sum_d2[23:16] : b_y_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_8 = mul_mul_add_f24_ftz_unit_phase_copy8[1] ? mul_mul_add_f24_ftz_unit_d_choice_6 : mul_mul_add_f24_ftz_unit_d_choice_7;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_9 = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? b_y_d1[23:16] : b_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_10 = mul_mul_add_f24_ftz_unit_phase_copy8[0] ? mul_f24_ftz_unit_copy2_y[23:16] : b_x_d1[23:16];
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_11 = mul_mul_add_f24_ftz_unit_phase_copy8[1] ? mul_mul_add_f24_ftz_unit_d_choice_9 : mul_mul_add_f24_ftz_unit_d_choice_10;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_12 = mul_mul_add_f24_ftz_unit_phase_copy8[2] ? mul_mul_add_f24_ftz_unit_d_choice_8 : mul_mul_add_f24_ftz_unit_d_choice_11;
+    wire [7:0] mul_mul_add_f24_ftz_unit_d_choice_13 = mul_mul_add_f24_ftz_unit_phase_copy8[3] ? mul_mul_add_f24_ftz_unit_d_choice_5 : mul_mul_add_f24_ftz_unit_d_choice_12;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_14 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? v_x_d1[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_15 = mul_mul_add_f24_ftz_unit_phase_copy7[1] ? v_y_d1[15:0] : mul_mul_add_f24_ftz_unit_d_choice_14;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_16 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? mul_f24_ftz_unit_copy2_y[15:0] : h_y_sum_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_17 = mul_mul_add_f24_ftz_unit_phase_copy7[1] ? mul_mul_add_f24_ftz_unit_d_choice_16 : h_x_sum_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_18 = mul_mul_add_f24_ftz_unit_phase_copy7[2] ? mul_mul_add_f24_ftz_unit_d_choice_15 : mul_mul_add_f24_ftz_unit_d_choice_17;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_19 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? mx_joined_d1[15:0] : mx_joined_d1_copy2[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_20 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? first_sum_sum_d2[15:0] : b_y_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_21 = mul_mul_add_f24_ftz_unit_phase_copy7[1] ? mul_mul_add_f24_ftz_unit_d_choice_19 : mul_mul_add_f24_ftz_unit_d_choice_20;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_22 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? b_y_d1[15:0] : b_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_23 = mul_mul_add_f24_ftz_unit_phase_copy7[0] ? mul_f24_ftz_unit_copy2_y[15:0] : b_x_d1[15:0];
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_24 = mul_mul_add_f24_ftz_unit_phase_copy7[1] ? mul_mul_add_f24_ftz_unit_d_choice_22 : mul_mul_add_f24_ftz_unit_d_choice_23;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_25 = mul_mul_add_f24_ftz_unit_phase_copy7[2] ? mul_mul_add_f24_ftz_unit_d_choice_21 : mul_mul_add_f24_ftz_unit_d_choice_24;
+    wire [15:0] mul_mul_add_f24_ftz_unit_d_choice_26 = mul_mul_add_f24_ftz_unit_phase_copy7[3] ? mul_mul_add_f24_ftz_unit_d_choice_18 : mul_mul_add_f24_ftz_unit_d_choice_25;
+    wire [7:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase_copy2[0] ? center_y_minus_t_y_d2[23:16] : center_x_minus_t_x_d2[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase_copy2[0] ? half_depth_times_epsilon_scale_d1[23:16] : depth_a[23:16];
     wire [7:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-    wire [7:0] add_f24_ftz_unit_a_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? h_x_d1[23:16] : add_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_5 = add_f24_ftz_unit_phase_copy2[0] ? unit_delta_product_d1[23:16] : 8'd63;
-    wire [7:0] add_f24_ftz_unit_a_choice_6 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
-    wire [7:0] add_f24_ftz_unit_a_choice_7 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
-    wire [7:0] add_f24_ftz_unit_a_choice_8 = add_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_9 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_8 : mul_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_10 = add_f24_ftz_unit_phase_copy2[0] ? center_depth_d1[23:16] : origin_x[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_11 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_10 : mul_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_a_choice_12 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_9 : add_f24_ftz_unit_a_choice_11;
-    wire [7:0] add_f24_ftz_unit_a_choice_13 = add_f24_ftz_unit_phase_copy2[3] ? add_f24_ftz_unit_a_choice_7 : add_f24_ftz_unit_a_choice_12;
-    wire [15:0] add_f24_ftz_unit_a_choice_14 = add_f24_ftz_unit_phase[0] ? mx_product_d1[15:0] : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_15 = add_f24_ftz_unit_phase[0] ? depth_a[15:0] : center_x_minus_t_x_d2[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_16 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_14 : add_f24_ftz_unit_a_choice_15;
-    wire [15:0] add_f24_ftz_unit_a_choice_17 = add_f24_ftz_unit_phase[0] ? h_x_d1[15:0] : add_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_18 = add_f24_ftz_unit_phase[0] ? unit_delta_product_d1[15:0] : 16'h8000;
-    wire [15:0] add_f24_ftz_unit_a_choice_19 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_17 : add_f24_ftz_unit_a_choice_18;
-    wire [15:0] add_f24_ftz_unit_a_choice_20 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_16 : add_f24_ftz_unit_a_choice_19;
-    wire [15:0] add_f24_ftz_unit_a_choice_21 = add_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_22 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_21 : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_23 = add_f24_ftz_unit_phase[0] ? center_depth_d1[15:0] : origin_x[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_24 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_23 : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_a_choice_25 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_22 : add_f24_ftz_unit_a_choice_24;
-    wire [15:0] add_f24_ftz_unit_a_choice_26 = add_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_a_choice_20 : add_f24_ftz_unit_a_choice_25;
-    wire [7:0] add_f24_ftz_unit_b_bits = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:16]};
-    wire [7:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_b_bits : epsilon_bias[23:16];
-    wire [7:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy4[0] ? b_depth_d2[23:16] : {~h_x_d1[23], h_x_d1[22:16]};
+    wire [7:0] add_f24_ftz_unit_a_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? center_x_d2_copy2[23:16] : first_sum_product_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_5 = add_f24_ftz_unit_phase_copy2[1] ? (add_f24_ftz_unit_phase_copy2[0] ? h_y_d1[23:16] : h_x_d1[23:16]) : add_f24_ftz_unit_a_choice_4;
+    wire [7:0] add_f24_ftz_unit_a_choice_6 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_5;
+    wire [7:0] add_f24_ftz_unit_a_choice_7 = add_f24_ftz_unit_phase_copy2[0] ? 8'd63 : h_x_sum_d1_copy2[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_8 = add_f24_ftz_unit_phase_copy2[0] ? middle_depth_d2[23:16] : root_of_first_difference_sum_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_9 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_7 : add_f24_ftz_unit_a_choice_8;
+    wire [7:0] add_f24_ftz_unit_a_choice_10 = add_f24_ftz_unit_phase_copy2[0] ? t_x_plus_t_y_d3[23:16] : origin_x[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_11 = add_f24_ftz_unit_phase_copy2[0] ? mul_mul_add_f24_ftz_unit_y[23:16] : center_depth_d1[23:16];
+    wire [7:0] add_f24_ftz_unit_a_choice_12 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_10 : add_f24_ftz_unit_a_choice_11;
+    wire [7:0] add_f24_ftz_unit_a_choice_13 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_9 : add_f24_ftz_unit_a_choice_12;
+    wire [7:0] add_f24_ftz_unit_a_choice_14 = add_f24_ftz_unit_phase_copy2[3] ? add_f24_ftz_unit_a_choice_6 : add_f24_ftz_unit_a_choice_13;
+    wire [15:0] add_f24_ftz_unit_a_choice_15 = add_f24_ftz_unit_phase[0] ? center_y_minus_t_y_d2[15:0] : center_x_minus_t_x_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_16 = add_f24_ftz_unit_phase[0] ? half_depth_times_epsilon_scale_d1[15:0] : depth_a[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_17 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_15 : add_f24_ftz_unit_a_choice_16;
+    wire [15:0] add_f24_ftz_unit_a_choice_18 = add_f24_ftz_unit_phase[0] ? center_x_d2_copy2[15:0] : first_sum_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_19 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? h_y_d1[15:0] : h_x_d1[15:0]) : add_f24_ftz_unit_a_choice_18;
+    wire [15:0] add_f24_ftz_unit_a_choice_20 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_17 : add_f24_ftz_unit_a_choice_19;
+    wire [15:0] add_f24_ftz_unit_a_choice_21 = add_f24_ftz_unit_phase[0] ? middle_depth_d2[15:0] : root_of_first_difference_sum_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_22 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? 16'h8000 : h_x_sum_d1_copy2[15:0]) : add_f24_ftz_unit_a_choice_21;
+    wire [15:0] add_f24_ftz_unit_a_choice_23 = add_f24_ftz_unit_phase[0] ? t_x_plus_t_y_d3[15:0] : origin_x[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_24 = add_f24_ftz_unit_phase[0] ? mul_mul_add_f24_ftz_unit_y[15:0] : center_depth_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_a_choice_25 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_23 : add_f24_ftz_unit_a_choice_24;
+    wire [15:0] add_f24_ftz_unit_a_choice_26 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_22 : add_f24_ftz_unit_a_choice_25;
+    wire [15:0] add_f24_ftz_unit_a_choice_27 = add_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_a_choice_20 : add_f24_ftz_unit_a_choice_26;
+    wire [7:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy4[0] ? {~h_y_d1[23], h_y_d1[22:16]} : {~h_x_d1[23], h_x_d1[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy4[0] ? epsilon_bias[23:16] : b_depth_d2[23:16];
     wire [7:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-    wire [7:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy4[0] ? center_x_minus_t_x_d2[23:16] : {~spread_half_d1[23], spread_half_d1[22:16]};
-    wire [7:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy4[0] ? minus_unit_delta_product_d1[23:16] : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy4[0] ? center_y_minus_t_y_d2[23:16] : center_x_minus_t_x_d2[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy4[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:16]} : add_f24_ftz_unit_y[23:16];
     wire [7:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_5;
     wire [7:0] add_f24_ftz_unit_b_choice_7 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_3 : add_f24_ftz_unit_b_choice_6;
-    wire [7:0] add_f24_ftz_unit_b_choice_8 = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:16] : mul_f24_ftz_unit_copy3_y[23:16];
-    wire [7:0] add_f24_ftz_unit_b_choice_9 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_8 : mul_f24_ftz_unit_copy2_y[23:16];
-    wire [7:0] add_f24_ftz_unit_b_choice_10 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
-    wire [7:0] add_f24_ftz_unit_b_choice_11 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:16] : h_x_product_d1[23:16];
-    wire [7:0] add_f24_ftz_unit_b_choice_12 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_10 : add_f24_ftz_unit_b_choice_11;
-    wire [7:0] add_f24_ftz_unit_b_choice_13 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_9 : add_f24_ftz_unit_b_choice_12;
-    wire [7:0] add_f24_ftz_unit_b_choice_14 = add_f24_ftz_unit_phase_copy4[3] ? add_f24_ftz_unit_b_choice_7 : add_f24_ftz_unit_b_choice_13;
-    wire [15:0] add_f24_ftz_unit_b_choice_15 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[15:0] : epsilon_bias[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_16 = add_f24_ftz_unit_phase_copy3[0] ? b_depth_d2[15:0] : h_x_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_17 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_15 : add_f24_ftz_unit_b_choice_16;
-    wire [15:0] add_f24_ftz_unit_b_choice_18 = add_f24_ftz_unit_phase_copy3[0] ? center_x_minus_t_x_d2[15:0] : spread_half_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_19 = add_f24_ftz_unit_phase_copy3[0] ? minus_unit_delta_product_d1[15:0] : add_f24_ftz_unit_y[15:0];
+    wire [7:0] add_f24_ftz_unit_b_bits = {~mul_mul_add_f24_ftz_unit_y[23], mul_mul_add_f24_ftz_unit_y[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_8 = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_b_bits : mul_mul_add_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_9 = add_f24_ftz_unit_phase_copy4[0] ? {~epsilon_d1[23], epsilon_d1[22:16]} : {~t_x_minus_t_y_d3[23], t_x_minus_t_y_d3[22:16]};
+    wire [7:0] add_f24_ftz_unit_b_choice_10 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_8 : add_f24_ftz_unit_b_choice_9;
+    wire [7:0] add_f24_ftz_unit_b_choice_11 = add_f24_ftz_unit_phase_copy4[0] ? root_of_first_sum_sum_d1[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_12 = add_f24_ftz_unit_phase_copy4[0] ? mul_mul_add_f24_ftz_unit_y[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] add_f24_ftz_unit_b_choice_13 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_11 : add_f24_ftz_unit_b_choice_12;
+    wire [7:0] add_f24_ftz_unit_b_choice_14 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_10 : add_f24_ftz_unit_b_choice_13;
+    wire [7:0] add_f24_ftz_unit_b_choice_15 = add_f24_ftz_unit_phase_copy4[3] ? add_f24_ftz_unit_b_choice_7 : add_f24_ftz_unit_b_choice_14;
+    wire [15:0] add_f24_ftz_unit_b_choice_16 = add_f24_ftz_unit_phase_copy3[0] ? epsilon_bias[15:0] : b_depth_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_17 = add_f24_ftz_unit_phase_copy3[1] ? (add_f24_ftz_unit_phase_copy3[0] ? h_y_d1[15:0] : h_x_d1[15:0]) : add_f24_ftz_unit_b_choice_16;
+    wire [15:0] add_f24_ftz_unit_b_choice_18 = add_f24_ftz_unit_phase_copy3[0] ? center_y_minus_t_y_d2[15:0] : center_x_minus_t_x_d2[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_19 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[15:0] : add_f24_ftz_unit_y[15:0];
     wire [15:0] add_f24_ftz_unit_b_choice_20 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_18 : add_f24_ftz_unit_b_choice_19;
     wire [15:0] add_f24_ftz_unit_b_choice_21 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_17 : add_f24_ftz_unit_b_choice_20;
-    wire [15:0] add_f24_ftz_unit_b_choice_22 = add_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[15:0] : mul_f24_ftz_unit_copy3_y[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_23 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_22 : mul_f24_ftz_unit_copy2_y[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_24 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
-    wire [15:0] add_f24_ftz_unit_b_choice_25 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[15:0] : h_x_product_d1[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_22 = add_f24_ftz_unit_phase_copy3[0] ? epsilon_d1[15:0] : t_x_minus_t_y_d3[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_23 = add_f24_ftz_unit_phase_copy3[1] ? mul_mul_add_f24_ftz_unit_y[15:0] : add_f24_ftz_unit_b_choice_22;
+    wire [15:0] add_f24_ftz_unit_b_choice_24 = add_f24_ftz_unit_phase_copy3[0] ? root_of_first_sum_sum_d1[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] add_f24_ftz_unit_b_choice_25 = add_f24_ftz_unit_phase_copy3[0] ? mul_mul_add_f24_ftz_unit_y[15:0] : mul_f24_ftz_unit_y[15:0];
     wire [15:0] add_f24_ftz_unit_b_choice_26 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_24 : add_f24_ftz_unit_b_choice_25;
     wire [15:0] add_f24_ftz_unit_b_choice_27 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_23 : add_f24_ftz_unit_b_choice_26;
     wire [15:0] add_f24_ftz_unit_b_choice_28 = add_f24_ftz_unit_phase_copy3[3] ? add_f24_ftz_unit_b_choice_21 : add_f24_ftz_unit_b_choice_27;
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? center_x_d3[23:16] : my_product_d1[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? center_y_minus_t_y_d2[23:16] : sqrt_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[0] ? filter_radius[23:16] : center_x_d3[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_4 : middle_depth_d2[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_5;
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_7 = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_copy3_y[23:16] : mul_f24_ftz_unit_y[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_8 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_7 : mul_f24_ftz_unit_copy3_y[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_9 = add_f24_ftz_unit_copy2_phase_copy2[0] ? origin_y[23:16] : tangent1_y_times_r_d1[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_10 = add_f24_ftz_unit_copy2_phase_copy2[0] ? tangent1_x_times_r_d1[23:16] : mul_f24_ftz_unit_copy2_y[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_11 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_9 : add_f24_ftz_unit_copy2_a_choice_10;
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_12 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_8 : add_f24_ftz_unit_copy2_a_choice_11;
-    wire [7:0] add_f24_ftz_unit_copy2_a_choice_13 = add_f24_ftz_unit_copy2_phase_copy2[3] ? add_f24_ftz_unit_copy2_a_choice_6 : add_f24_ftz_unit_copy2_a_choice_12;
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_14 = add_f24_ftz_unit_copy2_phase[0] ? center_x_d3[15:0] : my_product_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_15 = add_f24_ftz_unit_copy2_phase[0] ? center_y_minus_t_y_d2[15:0] : sqrt_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_16 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_14 : add_f24_ftz_unit_copy2_a_choice_15;
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_17 = add_f24_ftz_unit_copy2_phase[0] ? filter_radius[15:0] : center_x_d3[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_18 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_17 : middle_depth_d2[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_19 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_16 : add_f24_ftz_unit_copy2_a_choice_18;
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_20 = add_f24_ftz_unit_copy2_phase[0] ? add_f24_ftz_unit_copy3_y[15:0] : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_21 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_20 : mul_f24_ftz_unit_copy3_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_22 = add_f24_ftz_unit_copy2_phase[0] ? origin_y[15:0] : tangent1_y_times_r_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_23 = add_f24_ftz_unit_copy2_phase[0] ? tangent1_x_times_r_d1[15:0] : mul_f24_ftz_unit_copy2_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_24 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_22 : add_f24_ftz_unit_copy2_a_choice_23;
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_25 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_21 : add_f24_ftz_unit_copy2_a_choice_24;
-    wire [15:0] add_f24_ftz_unit_copy2_a_choice_26 = add_f24_ftz_unit_copy2_phase[3] ? add_f24_ftz_unit_copy2_a_choice_19 : add_f24_ftz_unit_copy2_a_choice_25;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy4[0] ? {~filter_radius[23], filter_radius[22:16]} : minus_my_product_d1[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy4[0] ? minus_h_y_d1[23:16] : center_y_minus_t_y_d2[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [7:0] add_f24_ftz_unit_copy2_b_bits = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:16]};
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy4[0] ? center_x_d3[23:16] : add_f24_ftz_unit_copy2_b_bits;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy4[0] ? epsilon_d1[23:16] : {~epsilon_d1[23], epsilon_d1[22:16]};
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_7 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_8 = add_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_copy3_y[23:16] : first_sum_sum_d1_copy3[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_9 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_8 : mul_f24_ftz_unit_copy4_y[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_10 = add_f24_ftz_unit_copy2_phase_copy4[0] ? mul_f24_ftz_unit_copy4_y[23:16] : add_f24_ftz_unit_copy2_b_bits;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_11 = add_f24_ftz_unit_copy2_phase_copy4[0] ? add_f24_ftz_unit_b_bits : h_y_product_d1[23:16];
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_12 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_10 : add_f24_ftz_unit_copy2_b_choice_11;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_13 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_9 : add_f24_ftz_unit_copy2_b_choice_12;
-    wire [7:0] add_f24_ftz_unit_copy2_b_choice_14 = add_f24_ftz_unit_copy2_phase_copy4[3] ? add_f24_ftz_unit_copy2_b_choice_7 : add_f24_ftz_unit_copy2_b_choice_13;
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_15 = add_f24_ftz_unit_copy2_phase_copy3[0] ? filter_radius[15:0] : minus_my_product_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_16 = add_f24_ftz_unit_copy2_phase_copy3[0] ? minus_h_y_d1[15:0] : center_y_minus_t_y_d2[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_17 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_15 : add_f24_ftz_unit_copy2_b_choice_16;
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_18 = add_f24_ftz_unit_copy2_phase_copy3[0] ? center_x_d3[15:0] : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_19 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_18 : epsilon_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_20 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_17 : add_f24_ftz_unit_copy2_b_choice_19;
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_21 = add_f24_ftz_unit_copy2_phase_copy3[0] ? add_f24_ftz_unit_copy3_y[15:0] : first_sum_sum_d1_copy3[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_22 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_21 : mul_f24_ftz_unit_copy4_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_23 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy4_y[15:0] : mul_f24_ftz_unit_y[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_24 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy3_y[15:0] : h_y_product_d1[15:0];
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_25 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_23 : add_f24_ftz_unit_copy2_b_choice_24;
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_26 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_22 : add_f24_ftz_unit_copy2_b_choice_25;
-    wire [15:0] add_f24_ftz_unit_copy2_b_choice_27 = add_f24_ftz_unit_copy2_phase_copy3[3] ? add_f24_ftz_unit_copy2_b_choice_20 : add_f24_ftz_unit_copy2_b_choice_26;
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice = add_f24_ftz_unit_copy3_phase_copy2[0] ? filter_radius[23:18] : t_x_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_2 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice : {~filter_radius[23], filter_radius[22:18]};
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_3 = add_f24_ftz_unit_copy3_phase_copy2[1] ? center_y_d2_copy2[23:18] : t_x_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_4 = add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_a_choice_2 : add_f24_ftz_unit_copy3_a_choice_3;
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_5 = add_f24_ftz_unit_copy3_phase_copy2[0] ? root_of_first_difference_sum_d1[23:18] : mul_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_6 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_minus_t_y_d3[23:18] : root_of_first_sum_sum_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_7 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice_5 : add_f24_ftz_unit_copy3_a_choice_6;
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_8 = add_f24_ftz_unit_copy3_phase_copy2[0] ? t_x_plus_t_y_d3[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_9 = add_f24_ftz_unit_copy3_phase_copy2[0] ? tangent2_x_times_r_d1[23:18] : mul_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_10 = add_f24_ftz_unit_copy3_phase_copy2[1] ? add_f24_ftz_unit_copy3_a_choice_8 : add_f24_ftz_unit_copy3_a_choice_9;
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_11 = add_f24_ftz_unit_copy3_phase_copy2[2] ? add_f24_ftz_unit_copy3_a_choice_7 : add_f24_ftz_unit_copy3_a_choice_10;
-    wire [5:0] add_f24_ftz_unit_copy3_a_choice_12 = add_f24_ftz_unit_copy3_phase_copy2[3] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_11;
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_13 = add_f24_ftz_unit_copy3_phase[0] ? filter_radius[17:0] : t_x_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_14 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_13 : filter_radius[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_15 = add_f24_ftz_unit_copy3_phase[1] ? center_y_d2_copy2[17:0] : t_x_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_16 = add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_14 : add_f24_ftz_unit_copy3_a_choice_15;
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_17 = add_f24_ftz_unit_copy3_phase[0] ? root_of_first_difference_sum_d1[17:0] : mul_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_18 = add_f24_ftz_unit_copy3_phase[0] ? t_x_minus_t_y_d3[17:0] : root_of_first_sum_sum_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_19 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_17 : add_f24_ftz_unit_copy3_a_choice_18;
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_20 = add_f24_ftz_unit_copy3_phase[0] ? t_x_plus_t_y_d3[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_21 = add_f24_ftz_unit_copy3_phase[0] ? tangent2_x_times_r_d1[17:0] : mul_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_22 = add_f24_ftz_unit_copy3_phase[1] ? add_f24_ftz_unit_copy3_a_choice_20 : add_f24_ftz_unit_copy3_a_choice_21;
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_23 = add_f24_ftz_unit_copy3_phase[2] ? add_f24_ftz_unit_copy3_a_choice_19 : add_f24_ftz_unit_copy3_a_choice_22;
-    wire [17:0] add_f24_ftz_unit_copy3_a_choice_24 = add_f24_ftz_unit_copy3_phase[3] ? add_f24_ftz_unit_copy3_a_choice_16 : add_f24_ftz_unit_copy3_a_choice_23;
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice = add_f24_ftz_unit_copy3_phase_copy4[0] ? center_y_d2_copy2[23:18] : t_y_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_2 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice : center_y_d2_copy2[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_3 = add_f24_ftz_unit_copy3_phase_copy4[1] ? {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:18]} : minus_t_y_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_4 = add_f24_ftz_unit_copy3_phase_copy4[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_3;
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_5 = add_f24_ftz_unit_copy3_phase_copy4[0] ? {~t_x_minus_t_y_d3[23], t_x_minus_t_y_d3[22:18]} : {~first_sum_sum_d1_copy3[23], first_sum_sum_d1_copy3[22:18]};
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_6 = add_f24_ftz_unit_copy3_phase_copy4[0] ? root_of_first_difference_sum_d1[23:18] : {~t_x_plus_t_y_d3[23], t_x_plus_t_y_d3[22:18]};
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_7 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice_5 : add_f24_ftz_unit_copy3_b_choice_6;
-    wire [5:0] add_f24_ftz_unit_copy3_b_bits = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:18]};
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_8 = add_f24_ftz_unit_copy3_phase_copy4[0] ? root_of_first_sum_sum_d1[23:18] : add_f24_ftz_unit_copy3_b_bits;
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_9 = add_f24_ftz_unit_copy3_phase_copy4[0] ? add_f24_ftz_unit_copy3_b_bits : f_times_first_sum_sum_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_10 = add_f24_ftz_unit_copy3_phase_copy4[1] ? add_f24_ftz_unit_copy3_b_choice_8 : add_f24_ftz_unit_copy3_b_choice_9;
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_11 = add_f24_ftz_unit_copy3_phase_copy4[2] ? add_f24_ftz_unit_copy3_b_choice_7 : add_f24_ftz_unit_copy3_b_choice_10;
-    wire [5:0] add_f24_ftz_unit_copy3_b_choice_12 = add_f24_ftz_unit_copy3_phase_copy4[3] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_11;
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_13 = add_f24_ftz_unit_copy3_phase_copy3[0] ? center_y_d2_copy2[17:0] : t_y_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_14 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_13 : center_y_d2_copy2[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_15 = add_f24_ftz_unit_copy3_phase_copy3[1] ? mul_f24_ftz_unit_copy3_y[17:0] : minus_t_y_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_16 = add_f24_ftz_unit_copy3_phase_copy3[2] ? add_f24_ftz_unit_copy3_b_choice_14 : add_f24_ftz_unit_copy3_b_choice_15;
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_17 = add_f24_ftz_unit_copy3_phase_copy3[0] ? t_x_minus_t_y_d3[17:0] : first_sum_sum_d1_copy3[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_18 = add_f24_ftz_unit_copy3_phase_copy3[0] ? root_of_first_difference_sum_d1[17:0] : t_x_plus_t_y_d3[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_19 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_17 : add_f24_ftz_unit_copy3_b_choice_18;
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_20 = add_f24_ftz_unit_copy3_phase_copy3[0] ? root_of_first_sum_sum_d1[17:0] : mul_f24_ftz_unit_copy4_y[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_21 = add_f24_ftz_unit_copy3_phase_copy3[0] ? mul_f24_ftz_unit_copy4_y[17:0] : f_times_first_sum_sum_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_22 = add_f24_ftz_unit_copy3_phase_copy3[1] ? add_f24_ftz_unit_copy3_b_choice_20 : add_f24_ftz_unit_copy3_b_choice_21;
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_23 = add_f24_ftz_unit_copy3_phase_copy3[2] ? add_f24_ftz_unit_copy3_b_choice_19 : add_f24_ftz_unit_copy3_b_choice_22;
-    wire [17:0] add_f24_ftz_unit_copy3_b_choice_24 = add_f24_ftz_unit_copy3_phase_copy3[3] ? add_f24_ftz_unit_copy3_b_choice_16 : add_f24_ftz_unit_copy3_b_choice_23;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[1] ? first_difference_sum_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = sqrt_f24_ftz_unit_phase[2] ? sqrt_f24_ftz_unit_a_choice : t_y_squared_plus_h_y_product_d1;
+    wire [5:0] add_f24_ftz_unit_copy2_a_bits = {~filter_radius[23], filter_radius[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_copy2_a_bits : center_x_d2_copy2[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice : t_x_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[0] ? center_y_d2_copy2[23:18] : first_sum_product_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[1] ? filter_radius[23:18] : add_f24_ftz_unit_copy2_a_choice_3;
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_5 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_4;
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_6 = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_y[23:18] : t_x_minus_t_y_d3[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_7 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_6 : middle_depth_d2[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_8 = add_f24_ftz_unit_copy2_phase_copy2[0] ? root_of_first_sum_sum_d1[23:18] : origin_y[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_9 = add_f24_ftz_unit_copy2_phase_copy2[0] ? t_x_d1[23:18] : unit_delta_product_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_10 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_a_choice_8 : add_f24_ftz_unit_copy2_a_choice_9;
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_11 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_a_choice_7 : add_f24_ftz_unit_copy2_a_choice_10;
+    wire [5:0] add_f24_ftz_unit_copy2_a_choice_12 = add_f24_ftz_unit_copy2_phase_copy2[3] ? add_f24_ftz_unit_copy2_a_choice_5 : add_f24_ftz_unit_copy2_a_choice_11;
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_13 = add_f24_ftz_unit_copy2_phase[0] ? filter_radius[17:0] : center_x_d2_copy2[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_14 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_13 : t_x_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_15 = add_f24_ftz_unit_copy2_phase[0] ? center_y_d2_copy2[17:0] : first_sum_product_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_16 = add_f24_ftz_unit_copy2_phase[1] ? filter_radius[17:0] : add_f24_ftz_unit_copy2_a_choice_15;
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_17 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_14 : add_f24_ftz_unit_copy2_a_choice_16;
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_18 = add_f24_ftz_unit_copy2_phase[0] ? add_f24_ftz_unit_y[17:0] : t_x_minus_t_y_d3[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_19 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_18 : middle_depth_d2[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_20 = add_f24_ftz_unit_copy2_phase[0] ? root_of_first_sum_sum_d1[17:0] : origin_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_21 = add_f24_ftz_unit_copy2_phase[0] ? t_x_d1[17:0] : unit_delta_product_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_22 = add_f24_ftz_unit_copy2_phase[1] ? add_f24_ftz_unit_copy2_a_choice_20 : add_f24_ftz_unit_copy2_a_choice_21;
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_23 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice_19 : add_f24_ftz_unit_copy2_a_choice_22;
+    wire [17:0] add_f24_ftz_unit_copy2_a_choice_24 = add_f24_ftz_unit_copy2_phase[3] ? add_f24_ftz_unit_copy2_a_choice_17 : add_f24_ftz_unit_copy2_a_choice_23;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy4[0] ? center_y_d2_copy2[23:18] : add_f24_ftz_unit_copy2_a_bits;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice : t_y_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy4[0] ? center_y_d2_copy2[23:18] : center_x_d2_copy2[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy4[0] ? {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:18]} : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:18]};
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_5 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_6 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_5;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_7 = add_f24_ftz_unit_copy2_phase_copy4[0] ? {~spread_half_d1[23], spread_half_d1[22:18]} : root_of_first_difference_sum_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_8 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_7 : epsilon_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_9 = add_f24_ftz_unit_copy2_phase_copy4[0] ? {~t_x_plus_t_y_d3[23], t_x_plus_t_y_d3[22:18]} : mul_f24_ftz_unit_copy2_y[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_10 = add_f24_ftz_unit_copy2_phase_copy4[0] ? minus_t_y_d1[23:18] : minus_unit_delta_product_d1[23:18];
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_11 = add_f24_ftz_unit_copy2_phase_copy4[1] ? add_f24_ftz_unit_copy2_b_choice_9 : add_f24_ftz_unit_copy2_b_choice_10;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_12 = add_f24_ftz_unit_copy2_phase_copy4[2] ? add_f24_ftz_unit_copy2_b_choice_8 : add_f24_ftz_unit_copy2_b_choice_11;
+    wire [5:0] add_f24_ftz_unit_copy2_b_choice_13 = add_f24_ftz_unit_copy2_phase_copy4[3] ? add_f24_ftz_unit_copy2_b_choice_6 : add_f24_ftz_unit_copy2_b_choice_12;
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_14 = add_f24_ftz_unit_copy2_phase_copy3[0] ? center_y_d2_copy2[17:0] : filter_radius[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_15 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_14 : t_y_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_16 = add_f24_ftz_unit_copy2_phase_copy3[0] ? center_y_d2_copy2[17:0] : center_x_d2_copy2[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_17 = add_f24_ftz_unit_copy2_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_18 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_16 : add_f24_ftz_unit_copy2_b_choice_17;
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_19 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_15 : add_f24_ftz_unit_copy2_b_choice_18;
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_20 = add_f24_ftz_unit_copy2_phase_copy3[0] ? spread_half_d1[17:0] : root_of_first_difference_sum_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_21 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_20 : epsilon_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_22 = add_f24_ftz_unit_copy2_phase_copy3[0] ? t_x_plus_t_y_d3[17:0] : mul_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_23 = add_f24_ftz_unit_copy2_phase_copy3[0] ? minus_t_y_d1[17:0] : minus_unit_delta_product_d1[17:0];
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_24 = add_f24_ftz_unit_copy2_phase_copy3[1] ? add_f24_ftz_unit_copy2_b_choice_22 : add_f24_ftz_unit_copy2_b_choice_23;
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_25 = add_f24_ftz_unit_copy2_phase_copy3[2] ? add_f24_ftz_unit_copy2_b_choice_21 : add_f24_ftz_unit_copy2_b_choice_24;
+    wire [17:0] add_f24_ftz_unit_copy2_b_choice_26 = add_f24_ftz_unit_copy2_phase_copy3[3] ? add_f24_ftz_unit_copy2_b_choice_19 : add_f24_ftz_unit_copy2_b_choice_25;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = sqrt_f24_ftz_unit_phase[2] ? mul_mul_add_f24_ftz_unit_y : sqrt_f24_ftz_unit_phase[0] ? q_d1 : first_difference_sum_d1;
     wire [23:0] min_f24_ftz_unit_a_choice = min_f24_ftz_unit_phase[0] ? 24'h470000 : 24'h470000;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[0] ? max_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] min_f24_ftz_unit_a_choice_3 = min_f24_ftz_unit_phase[1] ? 24'h45fff8 : min_f24_ftz_unit_a_choice_2;
-    wire [23:0] min_f24_ftz_unit_a_choice_4 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : min_f24_ftz_unit_a_choice;
-    wire [23:0] min_f24_ftz_unit_a_choice_5 = min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice_3 : min_f24_ftz_unit_a_choice_4;
-    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[0] ? last_sum_greater_d1 : first_sum_greater_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[0] ? 24'h45fff8 : center_y_minus_filter_radius_d3;
-    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_2;
-    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[0] ? center_x_minus_filter_radius_d2 : abs_b_depth_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_5 = min_f24_ftz_unit_phase_copy2[0] ? max_f24_ftz_unit_y : first_difference_greater_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_6 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice_4 : min_f24_ftz_unit_b_choice_5;
-    wire [23:0] min_f24_ftz_unit_b_choice_7 = min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_3 : min_f24_ftz_unit_b_choice_6;
-    wire [5:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : first_sum_product_d1[23:18];
-    wire [5:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice : first_sum_product_d1[23:18];
-    wire [5:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : 6'd0;
-    wire [5:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase_copy2[1] ? first_sum_product_d1[23:18] : max_f24_ftz_unit_a_choice_3;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = min_f24_ftz_unit_phase[1] ? min_f24_ftz_unit_a_choice : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_3 = min_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_4 = min_f24_ftz_unit_phase[1] ? (min_f24_ftz_unit_phase[0] ? 24'h45fff8 : add_f24_ftz_unit_y) : min_f24_ftz_unit_a_choice_3;
+    wire [23:0] min_f24_ftz_unit_a_choice_5 = min_f24_ftz_unit_phase[2] ? min_f24_ftz_unit_a_choice_4 : min_f24_ftz_unit_a_choice;
+    wire [23:0] min_f24_ftz_unit_b_choice = min_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_y : abs_b_depth_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = min_f24_ftz_unit_phase_copy2[0] ? last_y_greater_d1 : center_y_minus_filter_radius_d3;
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = min_f24_ftz_unit_phase_copy2[0] ? center_x_minus_filter_radius_d3 : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_b_choice_4 = min_f24_ftz_unit_phase_copy2[1] ? min_f24_ftz_unit_b_choice_2 : min_f24_ftz_unit_b_choice_3;
+    wire [23:0] min_f24_ftz_unit_b_choice_5 = min_f24_ftz_unit_phase_copy2[2] ? min_f24_ftz_unit_b_choice_4 : max_f24_ftz_unit_y;
+    wire [5:0] max_f24_ftz_unit_a_choice = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : first_sum_product_d1_copy2[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_2 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice : first_sum_product_d1_copy2[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_3 = max_f24_ftz_unit_phase_copy2[0] ? first_sum_product_d1_copy2[23:18] : 6'd0;
+    wire [5:0] max_f24_ftz_unit_a_choice_4 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_3 : max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : 6'd0;
     wire [5:0] max_f24_ftz_unit_a_choice_5 = max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
-    wire [5:0] max_f24_ftz_unit_a_choice_6 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_3 : 6'd0;
-    wire [5:0] max_f24_ftz_unit_a_choice_7 = max_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_y[23:18];
-    wire [5:0] max_f24_ftz_unit_a_choice_8 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_7 : 6'd0;
-    wire [5:0] max_f24_ftz_unit_a_choice_9 = max_f24_ftz_unit_phase_copy2[2] ? max_f24_ftz_unit_a_choice_6 : max_f24_ftz_unit_a_choice_8;
+    wire [5:0] max_f24_ftz_unit_a_choice_6 = max_f24_ftz_unit_phase_copy2[0] ? 6'd0 : add_f24_ftz_unit_y[23:18];
+    wire [5:0] max_f24_ftz_unit_a_choice_7 = max_f24_ftz_unit_phase_copy2[0] ? add_f24_ftz_unit_y[23:18] : 6'd0;
+    wire [5:0] max_f24_ftz_unit_a_choice_8 = max_f24_ftz_unit_phase_copy2[1] ? max_f24_ftz_unit_a_choice_6 : max_f24_ftz_unit_a_choice_7;
+    wire [5:0] max_f24_ftz_unit_a_choice_9 = max_f24_ftz_unit_phase_copy2[2] ? 6'd0 : max_f24_ftz_unit_a_choice_8;
     wire [5:0] max_f24_ftz_unit_a_choice_10 = max_f24_ftz_unit_phase_copy2[3] ? max_f24_ftz_unit_a_choice_5 : max_f24_ftz_unit_a_choice_9;
-    wire [17:0] max_f24_ftz_unit_a_choice_11 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? 18'd0 : first_sum_product_d1[17:0]) : first_sum_product_d1[17:0];
-    wire [17:0] max_f24_ftz_unit_a_choice_12 = max_f24_ftz_unit_phase[0] ? 18'd0 : 18'd0;
-    wire [17:0] max_f24_ftz_unit_a_choice_13 = max_f24_ftz_unit_phase[1] ? first_sum_product_d1[17:0] : max_f24_ftz_unit_a_choice_12;
-    wire [17:0] max_f24_ftz_unit_a_choice_14 = max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_11 : max_f24_ftz_unit_a_choice_13;
-    wire [17:0] max_f24_ftz_unit_a_choice_15 = max_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_y[17:0];
-    wire [17:0] max_f24_ftz_unit_a_choice_16 = max_f24_ftz_unit_phase[2] ? (max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_12 : 18'd0) : max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_15 : 18'd0;
-    wire [17:0] max_f24_ftz_unit_a_choice_17 = max_f24_ftz_unit_phase[3] ? max_f24_ftz_unit_a_choice_14 : max_f24_ftz_unit_a_choice_16;
-    wire [5:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy3_y[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_3 = max_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_copy3_y[23:18] : min_f24_ftz_unit_y[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy4[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_3;
-    wire [5:0] max_f24_ftz_unit_b_choice_5 = max_f24_ftz_unit_phase_copy4[1] ? min_f24_ftz_unit_y[23:18] : middle_depth_d1[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_6 = max_f24_ftz_unit_phase_copy4[0] ? filter_radius_plus_center_y_d3[23:18] : filter_radius_plus_center_x_d2[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_7 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_6 : add_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] max_f24_ftz_unit_b_choice_8 = max_f24_ftz_unit_phase_copy4[2] ? max_f24_ftz_unit_b_choice_5 : max_f24_ftz_unit_b_choice_7;
-    wire [5:0] max_f24_ftz_unit_b_choice_9 = max_f24_ftz_unit_phase_copy4[3] ? max_f24_ftz_unit_b_choice_4 : max_f24_ftz_unit_b_choice_8;
-    wire [17:0] max_f24_ftz_unit_b_choice_10 = max_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] max_f24_ftz_unit_b_choice_11 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_10 : add_f24_ftz_unit_copy3_y[17:0];
-    wire [17:0] max_f24_ftz_unit_b_choice_12 = max_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_copy3_y[17:0] : min_f24_ftz_unit_y[17:0];
-    wire [17:0] max_f24_ftz_unit_b_choice_13 = max_f24_ftz_unit_phase_copy3[2] ? max_f24_ftz_unit_b_choice_11 : max_f24_ftz_unit_b_choice_12;
-    wire [17:0] max_f24_ftz_unit_b_choice_14 = max_f24_ftz_unit_phase_copy3[1] ? min_f24_ftz_unit_y[17:0] : middle_depth_d1[17:0];
-    wire [17:0] max_f24_ftz_unit_b_choice_15 = max_f24_ftz_unit_phase_copy3[0] ? filter_radius_plus_center_y_d3[17:0] : filter_radius_plus_center_x_d2[17:0];
-    wire [17:0] max_f24_ftz_unit_b_choice_16 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_15 : add_f24_ftz_unit_copy2_y[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_11 = max_f24_ftz_unit_phase[0] ? 18'd0 : first_sum_product_d1_copy2[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_12 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_11 : first_sum_product_d1_copy2[17:0];
+    wire [17:0] max_f24_ftz_unit_a_choice_13 = max_f24_ftz_unit_phase[0] ? first_sum_product_d1_copy2[17:0] : 18'd0;
+    wire [17:0] max_f24_ftz_unit_a_choice_14 = max_f24_ftz_unit_phase[1] ? max_f24_ftz_unit_a_choice_13 : max_f24_ftz_unit_phase[0] ? 18'd0 : 18'd0;
+    wire [17:0] max_f24_ftz_unit_a_choice_15 = max_f24_ftz_unit_phase[2] ? max_f24_ftz_unit_a_choice_12 : max_f24_ftz_unit_a_choice_14;
+    wire [17:0] max_f24_ftz_unit_a_choice_16 = max_f24_ftz_unit_phase[1] ? (max_f24_ftz_unit_phase[0] ? 18'd0 : add_f24_ftz_unit_y[17:0]) : max_f24_ftz_unit_phase[0] ? add_f24_ftz_unit_y[17:0] : 18'd0;
+    wire [17:0] max_f24_ftz_unit_a_choice_17 = max_f24_ftz_unit_phase[3] ? max_f24_ftz_unit_a_choice_15 : max_f24_ftz_unit_phase[2] ? 18'd0 : max_f24_ftz_unit_a_choice_16;
+    wire [5:0] max_f24_ftz_unit_b_choice = max_f24_ftz_unit_phase_copy4[0] ? middle_depth_minus_epsilon_d1[23:18] : last_difference_sum_d1[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_2 = max_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_copy2_y[23:18] : last_sum_sum_d1[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_3 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
+    wire [5:0] max_f24_ftz_unit_b_choice_4 = max_f24_ftz_unit_phase_copy4[0] ? first_sum_sum_d1_copy2[23:18] : min_f24_ftz_unit_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_5 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_4 : min_f24_ftz_unit_y[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_6 = max_f24_ftz_unit_phase_copy4[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
+    wire [5:0] max_f24_ftz_unit_b_choice_7 = max_f24_ftz_unit_phase_copy4[0] ? middle_depth_d1[23:18] : filter_radius_plus_center_y_d3[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_8 = max_f24_ftz_unit_phase_copy4[0] ? filter_radius_plus_center_x_d3[23:18] : middle_depth_plus_epsilon_d1[23:18];
+    wire [5:0] max_f24_ftz_unit_b_choice_9 = max_f24_ftz_unit_phase_copy4[1] ? max_f24_ftz_unit_b_choice_7 : max_f24_ftz_unit_b_choice_8;
+    wire [5:0] max_f24_ftz_unit_b_choice_10 = max_f24_ftz_unit_phase_copy4[2] ? min_f24_ftz_unit_y[23:18] : max_f24_ftz_unit_b_choice_9;
+    wire [5:0] max_f24_ftz_unit_b_choice_11 = max_f24_ftz_unit_phase_copy4[3] ? max_f24_ftz_unit_b_choice_6 : max_f24_ftz_unit_b_choice_10;
+    wire [17:0] max_f24_ftz_unit_b_choice_12 = max_f24_ftz_unit_phase_copy3[0] ? middle_depth_minus_epsilon_d1[17:0] : last_difference_sum_d1[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_13 = max_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_copy2_y[17:0] : last_sum_sum_d1[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_14 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_12 : max_f24_ftz_unit_b_choice_13;
+    wire [17:0] max_f24_ftz_unit_b_choice_15 = max_f24_ftz_unit_phase_copy3[0] ? first_sum_sum_d1_copy2[17:0] : min_f24_ftz_unit_y[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_16 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_15 : min_f24_ftz_unit_y[17:0];
     wire [17:0] max_f24_ftz_unit_b_choice_17 = max_f24_ftz_unit_phase_copy3[2] ? max_f24_ftz_unit_b_choice_14 : max_f24_ftz_unit_b_choice_16;
-    wire [17:0] max_f24_ftz_unit_b_choice_18 = max_f24_ftz_unit_phase_copy3[3] ? max_f24_ftz_unit_b_choice_13 : max_f24_ftz_unit_b_choice_17;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = to_fixed_f24_ftz_s19q18_unit_phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = to_fixed_f24_ftz_s19q18_unit_phase[1] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = to_fixed_f24_ftz_s19q18_unit_phase[0] ? ay_out_joined_d1 : bx_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = to_fixed_f24_ftz_s19q18_unit_phase[1] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : ax_out_joined_d1;
+    wire [17:0] max_f24_ftz_unit_b_choice_18 = max_f24_ftz_unit_phase_copy3[0] ? middle_depth_d1[17:0] : filter_radius_plus_center_y_d3[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_19 = max_f24_ftz_unit_phase_copy3[0] ? filter_radius_plus_center_x_d3[17:0] : middle_depth_plus_epsilon_d1[17:0];
+    wire [17:0] max_f24_ftz_unit_b_choice_20 = max_f24_ftz_unit_phase_copy3[1] ? max_f24_ftz_unit_b_choice_18 : max_f24_ftz_unit_b_choice_19;
+    wire [17:0] max_f24_ftz_unit_b_choice_21 = max_f24_ftz_unit_phase_copy3[2] ? min_f24_ftz_unit_y[17:0] : max_f24_ftz_unit_b_choice_20;
+    wire [17:0] max_f24_ftz_unit_b_choice_22 = max_f24_ftz_unit_phase_copy3[3] ? max_f24_ftz_unit_b_choice_17 : max_f24_ftz_unit_b_choice_21;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = to_fixed_f24_ftz_s19q18_unit_phase[0] ? my_out_joined_d1 : mx_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = to_fixed_f24_ftz_s19q18_unit_phase[0] ? by_out_joined_d1 : ay_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = to_fixed_f24_ftz_s19q18_unit_phase[1] ? to_fixed_f24_ftz_s19q18_unit_a_choice : to_fixed_f24_ftz_s19q18_unit_a_choice_2;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = to_fixed_f24_ftz_s19q18_unit_phase[0] ? bx_out_joined_d1 : ax_out_joined_d1;
+    wire odd_either_copy4 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255_d1;
+    wire odd = odd_either_copy4 | delta_bits_is_255_d1;
+    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d1;
     wire [27:0] center_y_out = placed_d1 ? center_y_out_lesser_d1 : 28'h8000000;
     wire [27:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 28'h8000000;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
     wire visible_unequal_copy2 = unit_delta_sign_d1 ^ visible_unequal;
     wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
+    wire center_x_bits_below_140 = {3'd0, add_f24_ftz_unit_y[22:15]} < 11'd140;
+    wire center_y_bits_below_140 = unit_delta_bits_d1_bits < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
     wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
     wire not_zero_is_delta_bits = ~zero_is_delta_bits;
-    wire zero_is_exponent_joined_bits_copy4 = 10'd0 == exponent_joined_bits_d1_copy4;
+    wire zero_is_my_bits = 10'd0 == my_bits_d1;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire zero_is_mx_bits = 10'd0 == mx_bits_d1;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire zero_is_exponent_joined_bits_copy4 = 10'd0 == exponent_joined_bits_d1_copy5;
     wire by_out_inverted = ~zero_is_exponent_joined_bits_copy4;
-    wire zero_is_exponent_joined_bits_copy3 = 10'd0 == exponent_joined_bits_d1_copy3;
+    wire zero_is_exponent_joined_bits_copy3 = 10'd0 == exponent_joined_bits_d1_copy4;
     wire ay_out_inverted = ~zero_is_exponent_joined_bits_copy3;
-    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy2;
+    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy3;
     wire bx_out_inverted = ~zero_is_exponent_joined_bits_copy2;
-    wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
+    wire zero_is_exponent_joined_bits = 10'd0 == {2'd0, exponent_joined_bits_d1};
     wire ax_out_inverted = ~zero_is_exponent_joined_bits;
-    wire odd = odd_either_d1_copy2 | delta_bits_is_255_d1;
-    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d2;
-    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
-    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
-    wire center_y_bits_below_140 = my_bits_d1_bits < 11'd140;
-    wire first_sum_both = center_x_bits_below_140_d1 & center_y_bits_below_140;
     wire [26:0] first_difference_difference_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
     wire [26:0] first_difference_difference_bits_2 = {{5{to_fixed_f24_ftz_s22q8_unit_y[21]}}, to_fixed_f24_ftz_s22q8_unit_y};
     wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
@@ -7089,14 +7025,9 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
-        .y(mul_f24_ftz_unit_copy3_y)
-    );
-
-    float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
-        .y(mul_f24_ftz_unit_copy4_y)
+    float_mul_mul_add_f24ftz mul_mul_add_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
+        .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
@@ -7108,17 +7039,16 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
-        .y(add_f24_ftz_unit_copy3_y)
-    );
-
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
     float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b), .y(le_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(24'd0), .b(add_f24_ftz_unit_copy2_y), .y(le_f24_ftz_unit_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(1'd1), .a(center_depth_d2), .b(24'h3f8000), .y(le_f24_ftz_unit_copy2_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
@@ -7159,7 +7089,7 @@ module splat_setup (
 
     stream_fifo_d11_w111_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({end_d10, center_x_out_d7, center_y_out_d7, ax_out, bx_out, ay_out}),
+        .in_data({end_d11, center_x_out_d7, center_y_out_d7, ax_out, bx_out, ay_out}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
@@ -7172,7 +7102,7 @@ module splat_setup (
     stream_fifo_d11_w124_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({
-            depth_high_out_d2, attribute_0_d10, attribute_1_d10, attribute_2_d10, first_x_d3, last_x_d2,
+            depth_high_out_d2, attribute_0_d11, attribute_1_d11, attribute_2_d11, first_x_d3, last_x_d3,
             first_y_d3, last_y_d2, first_sum_d1[7:0], last_sum_out_d1, first_difference_d1[7:0]
         }),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
@@ -7187,13 +7117,14 @@ module splat_setup (
         if (rst) begin
             credits <= 5'd10;
             phases_1 <= 16'd1;
-            delay_5_from_0_pointer <= 2'd0;
-            delay_10_from_0_pointer <= 4'd0;
-            delay_6_from_1_pointer <= 3'd0;
-            delay_5_from_6_pointer <= 2'd0;
-            delay_5_from_7_pointer <= 2'd0;
-            delay_5_from_8_pointer <= 2'd0;
-            delay_7_from_10_pointer <= 3'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            delay_5_from_1_pointer <= 2'd0;
+            delay_6_from_8_pointer <= 3'd0;
+            delay_7_from_9_pointer <= 3'd0;
+            delay_5_from_13_pointer <= 2'd0;
+            delay_5_from_13_copy2_pointer <= 2'd0;
+            delay_5_from_14_pointer <= 2'd0;
             delay_7_from_14_pointer <= 3'd0;
             phases_2 <= 16'd1;
             phases_3 <= 16'd1;
@@ -7209,16 +7140,14 @@ module splat_setup (
             mul_f24_ftz_unit_phase_copy4 <= 4'd0;
             mul_f24_ftz_unit_copy2_phase <= 4'd0;
             mul_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
-            mul_f24_ftz_unit_copy3_phase <= 4'd0;
-            mul_f24_ftz_unit_copy3_phase_copy2 <= 4'd0;
-            mul_f24_ftz_unit_copy3_phase_copy3 <= 4'd0;
-            mul_f24_ftz_unit_copy3_phase_copy4 <= 4'd0;
-            mul_f24_ftz_unit_copy4_phase <= 4'd0;
-            mul_f24_ftz_unit_copy4_phase_copy2 <= 4'd0;
-            mul_f24_ftz_unit_copy4_phase_copy3 <= 4'd0;
-            mul_f24_ftz_unit_copy4_phase_copy4 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy5 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy6 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy7 <= 4'd0;
+            mul_mul_add_f24_ftz_unit_phase_copy8 <= 4'd0;
             add_f24_ftz_unit_phase <= 4'd0;
             add_f24_ftz_unit_phase_copy2 <= 4'd0;
             add_f24_ftz_unit_phase_copy3 <= 4'd0;
@@ -7227,12 +7156,7 @@ module splat_setup (
             add_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
             add_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
             add_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
-            add_f24_ftz_unit_copy3_phase <= 4'd0;
-            add_f24_ftz_unit_copy3_phase_copy2 <= 4'd0;
-            add_f24_ftz_unit_copy3_phase_copy3 <= 4'd0;
-            add_f24_ftz_unit_copy3_phase_copy4 <= 4'd0;
             sqrt_f24_ftz_unit_phase <= 4'd0;
-            le_f24_ftz_unit_phase <= 4'd0;
             min_f24_ftz_unit_phase <= 4'd0;
             min_f24_ftz_unit_phase_copy2 <= 4'd0;
             max_f24_ftz_unit_phase <= 4'd0;
@@ -7242,7 +7166,7 @@ module splat_setup (
             to_fixed_f24_ftz_s22q8_unit_phase <= 4'd0;
             to_fixed_f24_ftz_s29q15_unit_phase <= 4'd0;
             to_fixed_f24_ftz_s19q18_unit_phase <= 4'd0;
-            in_flight <= 10'd0;
+            in_flight <= 11'd0;
             left <= 1'd0;
             dropped <= 1'd0;
         end else begin
@@ -7262,16 +7186,14 @@ module splat_setup (
             mul_f24_ftz_unit_phase_copy4 <= (mul_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_phase_copy4 + 4'd1);
             mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 4'd15) ? (mul_f24_ftz_unit_copy2_phase - 4'd15) : (mul_f24_ftz_unit_copy2_phase + 4'd1);
             mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
-            mul_f24_ftz_unit_copy2_phase_copy3 <= (mul_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
-            mul_f24_ftz_unit_copy2_phase_copy4 <= (mul_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
-            mul_f24_ftz_unit_copy3_phase <= (mul_f24_ftz_unit_copy3_phase == 4'd15) ? (mul_f24_ftz_unit_copy3_phase - 4'd15) : (mul_f24_ftz_unit_copy3_phase + 4'd1);
-            mul_f24_ftz_unit_copy3_phase_copy2 <= (mul_f24_ftz_unit_copy3_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy2 + 4'd1);
-            mul_f24_ftz_unit_copy3_phase_copy3 <= (mul_f24_ftz_unit_copy3_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy3 + 4'd1);
-            mul_f24_ftz_unit_copy3_phase_copy4 <= (mul_f24_ftz_unit_copy3_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy3_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy3_phase_copy4 + 4'd1);
-            mul_f24_ftz_unit_copy4_phase <= (mul_f24_ftz_unit_copy4_phase == 4'd15) ? (mul_f24_ftz_unit_copy4_phase - 4'd15) : (mul_f24_ftz_unit_copy4_phase + 4'd1);
-            mul_f24_ftz_unit_copy4_phase_copy2 <= (mul_f24_ftz_unit_copy4_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy2 + 4'd1);
-            mul_f24_ftz_unit_copy4_phase_copy3 <= (mul_f24_ftz_unit_copy4_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy3 + 4'd1);
-            mul_f24_ftz_unit_copy4_phase_copy4 <= (mul_f24_ftz_unit_copy4_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy4_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy4_phase_copy4 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase <= (mul_mul_add_f24_ftz_unit_phase == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase - 4'd15) : (mul_mul_add_f24_ftz_unit_phase + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy2 <= (mul_mul_add_f24_ftz_unit_phase_copy2 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy2 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy2 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy3 <= (mul_mul_add_f24_ftz_unit_phase_copy3 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy3 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy3 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy4 <= (mul_mul_add_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy4 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy5 <= (mul_mul_add_f24_ftz_unit_phase_copy5 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy5 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy5 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy6 <= (mul_mul_add_f24_ftz_unit_phase_copy6 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy6 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy6 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy7 <= (mul_mul_add_f24_ftz_unit_phase_copy7 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy7 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy7 + 4'd1);
+            mul_mul_add_f24_ftz_unit_phase_copy8 <= (mul_mul_add_f24_ftz_unit_phase_copy8 == 4'd15) ? (mul_mul_add_f24_ftz_unit_phase_copy8 - 4'd15) : (mul_mul_add_f24_ftz_unit_phase_copy8 + 4'd1);
             add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 4'd15) ? (add_f24_ftz_unit_phase - 4'd15) : (add_f24_ftz_unit_phase + 4'd1);
             add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_phase_copy2 - 4'd15) : (add_f24_ftz_unit_phase_copy2 + 4'd1);
             add_f24_ftz_unit_phase_copy3 <= (add_f24_ftz_unit_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_phase_copy3 - 4'd15) : (add_f24_ftz_unit_phase_copy3 + 4'd1);
@@ -7280,12 +7202,7 @@ module splat_setup (
             add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
             add_f24_ftz_unit_copy2_phase_copy3 <= (add_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
             add_f24_ftz_unit_copy2_phase_copy4 <= (add_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
-            add_f24_ftz_unit_copy3_phase <= (add_f24_ftz_unit_copy3_phase == 4'd15) ? (add_f24_ftz_unit_copy3_phase - 4'd15) : (add_f24_ftz_unit_copy3_phase + 4'd1);
-            add_f24_ftz_unit_copy3_phase_copy2 <= (add_f24_ftz_unit_copy3_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy2 + 4'd1);
-            add_f24_ftz_unit_copy3_phase_copy3 <= (add_f24_ftz_unit_copy3_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy3 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy3 + 4'd1);
-            add_f24_ftz_unit_copy3_phase_copy4 <= (add_f24_ftz_unit_copy3_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_copy3_phase_copy4 - 4'd15) : (add_f24_ftz_unit_copy3_phase_copy4 + 4'd1);
             sqrt_f24_ftz_unit_phase <= (sqrt_f24_ftz_unit_phase == 4'd15) ? (sqrt_f24_ftz_unit_phase - 4'd15) : (sqrt_f24_ftz_unit_phase + 4'd1);
-            le_f24_ftz_unit_phase <= (le_f24_ftz_unit_phase == 4'd15) ? (le_f24_ftz_unit_phase - 4'd15) : (le_f24_ftz_unit_phase + 4'd1);
             min_f24_ftz_unit_phase <= (min_f24_ftz_unit_phase == 4'd15) ? (min_f24_ftz_unit_phase - 4'd15) : (min_f24_ftz_unit_phase + 4'd1);
             min_f24_ftz_unit_phase_copy2 <= (min_f24_ftz_unit_phase_copy2 == 4'd15) ? (min_f24_ftz_unit_phase_copy2 - 4'd15) : (min_f24_ftz_unit_phase_copy2 + 4'd1);
             max_f24_ftz_unit_phase <= (max_f24_ftz_unit_phase == 4'd15) ? (max_f24_ftz_unit_phase - 4'd15) : (max_f24_ftz_unit_phase + 4'd1);
@@ -7296,651 +7213,634 @@ module splat_setup (
             to_fixed_f24_ftz_s29q15_unit_phase <= (to_fixed_f24_ftz_s29q15_unit_phase == 4'd15) ? (to_fixed_f24_ftz_s29q15_unit_phase - 4'd15) : (to_fixed_f24_ftz_s29q15_unit_phase + 4'd1);
             to_fixed_f24_ftz_s19q18_unit_phase <= (to_fixed_f24_ftz_s19q18_unit_phase == 4'd15) ? (to_fixed_f24_ftz_s19q18_unit_phase - 4'd15) : (to_fixed_f24_ftz_s19q18_unit_phase + 4'd1);
             left <= out_valid & out_ready;
-            dropped <= in_flight_9_and_phases_5_0 & ~end_or_visible;
+            dropped <= in_flight_10_and_phases_3_1 & ~end_or_visible;
             if (phases_1[0]) begin
-                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
             end
             if (phases_1[1]) begin
-                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
-            end
-            if (phases_1[6]) begin
-                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
-            end
-            if (phases_1[7]) begin
-                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
+                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
             end
             if (phases_1[8]) begin
-                delay_5_from_8_pointer <= (delay_5_from_8_pointer == 2'd3) ? (delay_5_from_8_pointer - 2'd3) : (delay_5_from_8_pointer + 2'd1);
+                delay_6_from_8_pointer <= (delay_6_from_8_pointer == 3'd4) ? (delay_6_from_8_pointer - 3'd4) : (delay_6_from_8_pointer + 3'd1);
             end
-            if (phases_1[10]) begin
-                delay_7_from_10_pointer <= (delay_7_from_10_pointer == 3'd5) ? (delay_7_from_10_pointer - 3'd5) : (delay_7_from_10_pointer + 3'd1);
+            if (phases_1[9]) begin
+                delay_7_from_9_pointer <= (delay_7_from_9_pointer == 3'd5) ? (delay_7_from_9_pointer - 3'd5) : (delay_7_from_9_pointer + 3'd1);
+            end
+            if (phases_1[13]) begin
+                delay_5_from_13_pointer <= (delay_5_from_13_pointer == 2'd3) ? (delay_5_from_13_pointer - 2'd3) : (delay_5_from_13_pointer + 2'd1);
+                delay_5_from_13_copy2_pointer <= (delay_5_from_13_copy2_pointer == 2'd3) ? (delay_5_from_13_copy2_pointer - 2'd3) : (delay_5_from_13_copy2_pointer + 2'd1);
             end
             if (phases_1[14]) begin
+                delay_5_from_14_pointer <= (delay_5_from_14_pointer == 2'd3) ? (delay_5_from_14_pointer - 2'd3) : (delay_5_from_14_pointer + 2'd1);
                 delay_7_from_14_pointer <= (delay_7_from_14_pointer == 3'd5) ? (delay_7_from_14_pointer - 3'd5) : (delay_7_from_14_pointer + 3'd1);
             end
-            if (phases_6[0]) in_flight <= {in_flight[8:0], in_valid_and_in_ready};
+            if (phases_8[0]) in_flight <= {in_flight[9:0], in_valid_and_in_ready};
         end
     end
     always @(posedge clk) begin
-        if (phases_2[0]) begin
+        if (phases_1[0]) begin
             center_x_d1 <= in_center_x;
             center_x_d2 <= center_x_d1;
+            before_far_d1 <= le_f24_ftz_unit_copy2_y;
+            before_far_d2 <= before_far_d1;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            not_a_y_bits_is_zero_d1 <= not_a_y_bits_is_zero;
+            not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+        end
+        if (phases_2[0]) begin
             center_y_d1 <= in_center_y;
             center_y_d2 <= center_y_d1;
             tangent1_x_d1 <= in_tangent1_x;
-            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-        end
-        if (phases_3[0]) begin
             tangent1_x_d2 <= tangent1_x_d1;
             tangent1_y_d1 <= in_tangent1_y;
+            last_x_d3 <= last_x_d2;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+        end
+        if (phases_3[0]) begin
             tangent1_y_d2 <= tangent1_y_d1;
             tangent1_z_d1 <= in_tangent1_z;
             tangent1_z_d2 <= tangent1_z_d1;
-            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
-        end
-        if (phases_4[0]) begin
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_x_d2 <= tangent2_x_d1;
+            first_y_d1 <= first_y;
+        end
+        if (phases_4[0]) begin
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_y_d2 <= tangent2_y_d1;
             tangent2_z_d1 <= in_tangent2_z;
-            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-        end
-        if (phases_5[0]) begin
             tangent2_z_d2 <= tangent2_z_d1;
-            last_x_lesser_d1 <= last_x_lesser;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
-            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
-            mx_sum_d1 <= mx_sum;
-            mx_sum_d1_copy2 <= mx_sum_copy2;
-            a_exponent_plus_b_exponent_d1 <= a_exponent_plus_b_exponent;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            first_y_d2 <= first_y_d1;
         end
         if (phases_1[5]) begin
             r_d1 <= recip_f24_ftz_unit_y;
-            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
-            half_depth_lesser_d2 <= half_depth_lesser_d1;
-            epsilon_d1 <= add_f24_ftz_unit_y;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            exponent_both_d1 <= exponent_both;
-            exponent_chosen_d1 <= exponent_chosen[7:0];
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            exponent_both_d1_copy2 <= exponent_both_copy2;
+            h_x_sum_d1_copy2 <= mul_mul_add_f24_ftz_unit_y;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
+            center_x_minus_filter_radius_d3 <= center_x_minus_filter_radius_d2;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
         end
         if (phases_1[11]) begin
             alpha_d1 <= mul_f24_ftz_unit_y;
             alpha_d2 <= alpha_d1;
             beta_d1 <= mul_f24_ftz_unit_copy2_y;
             beta_d2 <= beta_d1;
-            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            beta_bits_d1 <= a_y_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
             not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
             not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
             not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
             not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+            shift_d1 <= shift;
+            vanishes_d1 <= vanishes;
         end
-        if (phases_1[8]) begin
-            q_d1 <= add_f24_ftz_unit_y;
+        if (phases_1[7]) begin
+            q_d1 <= mul_mul_add_f24_ftz_unit_y;
             q_d2 <= q_d1;
-            unit_delta_product_d1 <= mul_f24_ftz_unit_y;
-            minus_unit_delta_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-            last_difference_sum_d1 <= last_difference_sum;
-            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            half_depth_times_epsilon_scale_d1 <= mul_f24_ftz_unit_y;
+            a_exponent_plus_b_exponent_d1 <= a_exponent_plus_b_exponent;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy2_y[23];
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
         end
-        if (phases_1[4]) begin
+        if (phases_1[3]) begin
             f_d1 <= recip_f24_ftz_unit_y;
+            f_d2 <= f_d1;
             center_depth_d1 <= add_f24_ftz_unit_y;
             center_depth_d2 <= center_depth_d1;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            m_exponent_d1 <= m_exponent;
+            not_zero_is_my_sum_bits_d1 <= not_zero_is_my_sum_bits;
+            my_sum_bits_is_255_d1 <= my_sum_bits_is_255;
+            my_sum_sign_d1 <= mul_mul_add_f24_ftz_unit_y[23];
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
         end
-        if (phases_1[13]) begin
+        if (phases_2[13]) begin
             b_depth_d1 <= mul_f24_ftz_unit_y;
             b_depth_d2 <= b_depth_d1;
             b_depth_d3 <= b_depth_d2;
             abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
-            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
-            first_x_d1 <= first_x;
-            visible_in_order_d1 <= visible_in_order;
+            t_y_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            exponent_joined_bits_d1 <= exponent_chosen_copy2[22:15];
         end
         if (phases_1[10]) begin
-            spread_middle_d1 <= add_f24_ftz_unit_y;
-            t_x_d1 <= mul_f24_ftz_unit_y;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            h_x_d1 <= sqrt_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
-            first_sum_both_d8 <= delay_7_from_10_out;
-            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
-            placed_d1 <= placed;
-            vanishes_d1 <= vanishes;
-        end
-        if (phases_1[3]) begin
-            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
-            spread_half_d2 <= spread_half_d1;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
+            f_times_root_of_q_d1 <= mul_f24_ftz_unit_copy2_y;
             largest_greater_d1_copy3 <= largest_greater_copy3;
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_y;
+            last_sum_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            last_sum_out_d1 <= last_sum[7:0];
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+        end
+        if (phases_1[1]) begin
+            spread_half_d1 <= mul_f24_ftz_unit_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+        end
+        if (phases_5[0]) begin
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_d1 <= half_depth;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            first_y_d3 <= first_y_d2;
+        end
+        if (phases_1[4]) begin
+            epsilon_d1 <= add_f24_ftz_unit_y;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            m_exponent_plus_127_d1 <= m_exponent_plus_127;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
             ax_out_both_d1 <= ax_out_both;
             bx_out_both_d1 <= bx_out_both;
             ay_out_both_d1 <= ay_out_both;
             by_out_both_d1 <= by_out_both;
             mx_out_both_d1 <= mx_out_both;
             my_out_both_d1 <= my_out_both;
+            delta_bits_plus_126_d1 <= delta_bits_plus_126;
             vanishes_in_order_d1 <= vanishes_in_order;
             vanishes_difference_d1 <= vanishes_difference;
         end
-        if (phases_1[1]) begin
-            before_far_d1 <= le_f24_ftz_unit_y;
-            before_far_d2 <= before_far_d1;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            m_exponent_d1 <= m_exponent;
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-        end
-        if (phases_2[4]) begin
-            half_depth_d1 <= half_depth;
-            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
-            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
-            m_exponent_plus_27_d1 <= m_exponent_plus_27;
-            largest_d1 <= largest;
-            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
-        end
         if (phases_1[12]) begin
-            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
-            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
-            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            v_x_d1 <= mul_f24_ftz_unit_y;
+            t_x_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            v_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            exponent_both_d1 <= exponent_both;
+            exponent_chosen_d1 <= exponent_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            delta_both_d1 <= delta_both;
+            mx_both_d1_copy3 <= mx_both_copy3;
+            my_both_d1 <= my_both;
         end
         if (phases_1[14]) begin
-            a_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
-            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
-        end
-        if (phases_1[9]) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            center_x_d3 <= center_x_d2_copy2;
-            center_x_bits_below_140_d1 <= center_x_bits_below_140;
-            first_sum_d1 <= first_sum;
-            last_sum_lesser_d1 <= last_sum_lesser;
-            center_x_bits_below_140_d1_copy2 <= center_x_bits_below_140_copy2;
-        end
-        if (phases_2[11]) begin
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            v_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            beta_bits_d1 <= a_x_bits_d1_bits;
-            beta_bits_d2 <= beta_bits_d1;
-            alpha_bits_d1 <= a_y_bits_d1_bits;
-            alpha_bits_d2 <= alpha_bits_d1;
-            shift_plus_4_d1 <= shift_plus_4;
-        end
-        if (phases_1[6]) begin
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            mx_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_below_mx_sum_d1 <= largest_below_mx_sum;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-        end
-        if (phases_2[6]) begin
-            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
-            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
-            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
-            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
-            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
-            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
-            my_sign_d1 <= my[23];
-            my_sign_d2 <= my_sign_d1;
-            my_sign_d3 <= my_sign_d2;
-            my_sign_d4 <= my_sign_d3;
-        end
-        if (phases_1[2]) begin
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
-            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            mx_both_d1 <= mx_both;
-            mx_chosen_d1 <= mx_chosen[7:0];
-            mx_both_d1_copy2 <= mx_both_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            visible_both_d1 <= visible_both_copy2;
-            visible_both_d2 <= visible_both_d1;
-            exponent_d1 <= exponent;
-        end
-        if (phases_1[15]) begin
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            a_y_d1 <= mul_f24_ftz_unit_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
-            a_y_bits_d1 <= a_y_bits_d1_bits;
-            a_y_bits_d2 <= a_y_bits_d1;
-            a_exponent_d1 <= a_exponent;
-            b_y_bits_d1 <= a_x_bits_d1_bits;
-            b_y_bits_d2 <= b_y_bits_d1;
-            not_a_y_bits_is_zero_d1 <= not_a_y_bits_is_zero;
-            not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-        end
-        if (phases_2[13]) begin
-            first_x_d2 <= first_x_d1;
-            first_x_d3 <= first_x_d2;
-            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_y;
-            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_difference_sum_d1 <= add_f24_ftz_unit_copy3_y;
-            first_sum_greater_d1 <= max_f24_ftz_unit_y;
-            last_difference_out_d1 <= last_difference[7:0];
-            exponent_greater_d1 <= exponent_greater;
-        end
-        if (phases_2[10]) begin
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            t_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            minus_t_y_d1 <= {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
-            shift_d1 <= shift;
-        end
-        if (phases_1[7]) begin
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
-            first_difference_sum_d1_copy2 <= first_difference_sum;
-            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
-            last_sum_sum_d1_copy2 <= last_sum_sum_copy2;
-        end
-        if (phases_2[12]) begin
-            minus_h_y_d1 <= {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-            first_difference_d1 <= first_difference;
-            last_difference_lesser_d1 <= last_difference_lesser;
-            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
-            ay_out_lesser_d1 <= ay_out_lesser[17:0];
-            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
-        end
-        if (phases_2[1]) begin
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
-            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            not_placed_d1 <= not_placed;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
-        end
-        if (phases_2[14]) begin
-            first_y_d1 <= first_y;
-            first_y_d2 <= first_y_d1;
-            first_y_d3 <= first_y_d2;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            h_x_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
             a_x_bits_d1 <= a_x_bits_d1_bits;
-            a_x_bits_d2 <= a_x_bits_d1;
-            b_x_bits_d1 <= b_x_bits_d1_bits;
-            b_x_bits_d2 <= b_x_bits_d1;
-            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
             not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
             a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
-            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            a_x_sign_d2 <= a_x_sign_d1;
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+        end
+        if (phases_1[15]) begin
+            b_x_d1 <= mul_f24_ftz_unit_y;
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            last_x_lesser_d1 <= last_x_lesser;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            h_y_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            b_x_bits_d1 <= a_x_bits_d1_bits;
             not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
             not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
             b_x_bits_is_255_d1 <= b_x_bits_is_255;
             b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
-            b_x_sign_d2 <= b_x_sign_d1;
         end
-        if (phases_2[15]) begin
+        if (phases_1[9]) begin
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            t_x_d1 <= mul_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            first_sum_both_d8 <= delay_7_from_9_out;
+            placed_d1 <= placed;
+        end
+        if (phases_1[8]) begin
+            h_x_d1 <= sqrt_f24_ftz_unit_y;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            t_x_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
+            t_x_minus_t_y_d2 <= t_x_minus_t_y_d1;
+            t_x_minus_t_y_d3 <= t_x_minus_t_y_d2;
+            shift_chosen_d1 <= shift_chosen_copy7;
+            not_placed_d1 <= not_placed;
+        end
+        if (phases_2[1]) begin
+            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
+            filter_radius_plus_center_x_d3 <= filter_radius_plus_center_x_d2;
+            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_y_bits_d1 <= a_y_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
             b_exponent_d1 <= b_exponent;
-            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
-            a_y_sign_d1 <= mul_f24_ftz_unit_y[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            unit_delta_both_d1 <= unit_delta_both;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
             not_b_y_bits_is_zero_d1 <= not_b_y_bits_is_zero;
             not_b_y_bits_is_zero_d2 <= not_b_y_bits_is_zero_d1;
             b_y_bits_is_255_d1 <= b_y_bits_is_255;
             b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
-            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
             b_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
-            b_y_sign_d2 <= b_y_sign_d1;
-            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
         end
-        if (phases_1[0]) begin
-            unit_delta_both_d1 <= unit_delta_both;
-            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
-            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_sign_d1 <= add_f24_ftz_unit_y[23];
-        end
-        if (phases_3[14]) begin
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
-            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
-            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            first_sum_sum_d1 <= add_f24_ftz_unit_y;
-            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy2_y;
-            last_sum_greater_d1 <= max_f24_ftz_unit_y;
+        if (phases_2[14]) begin
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            minus_unit_delta_product_d1 <= minus_mul_f24_ftz_unit_copy2_y;
             visible_d1 <= visible;
+            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_joined_bits_d1};
+            exponent_joined_bits_d2 <= exponent_joined_bits_d1_copy2;
+            odd_either_d1 <= odd_either;
+            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255_copy3;
+            exponent_joined_bits_is_255_d1_copy2 <= exponent_joined_bits_is_255_copy4;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            delta_bits_is_255_d1 <= delta_bits_is_255;
         end
         if (phases_6[0]) begin
-            minus_my_product_d1 <= {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_greater_d1 <= largest_greater;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
-            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
-            edge_on_lesser_d1 <= edge_on_lesser;
-            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_exponent_d1 <= a_exponent;
         end
-        if (phases_3[1]) begin
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
-            root_of_first_difference_sum_d1 <= sqrt_f24_ftz_unit_y;
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+        if (phases_2[9]) begin
+            t_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            h_y_d1 <= sqrt_f24_ftz_unit_y;
+            minus_t_y_d1 <= minus_mul_f24_ftz_unit_copy2_y;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            first_sum_d1 <= first_sum;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
         end
-        if (phases_3[4]) begin
-            largest_d2 <= largest_d1;
-            center_y_out_d1 <= {center_y_out_d5[27], center_y_out_d5};
-            shift_difference_d1_copy4 <= shift_difference_copy4;
-            shift_either_d1 <= shift_either_copy2;
-            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+        if (phases_1[6]) begin
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
+            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_sum_difference_d1 <= first_sum_difference;
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
+        end
+        if (phases_1[2]) begin
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
+            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
         end
         if (phases_2[5]) begin
-            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            exponent_both_d1_copy3 <= exponent_both_copy3;
-            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            exponent_both_d1_copy4 <= exponent_both_copy4;
-            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            m_exponent_plus_127_d1 <= m_exponent_plus_127;
-            m_exponent_plus_127_d2 <= m_exponent_plus_127_d1;
-            my_bits_d1 <= my_bits_d1_bits;
-            largest_below_my_sum_d1 <= largest_below_my_sum;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            my_sum_minus_largest_d1 <= my_sum_minus_largest;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy2_y[23];
-            shift_either_bits_d1_copy4 <= shift_either_copy3[27:20];
+            last_y_greater_d1 <= max_f24_ftz_unit_y;
+            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
+            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
+            first_sum_sum_d1_copy3 <= first_sum_sum;
+            center_y_out_d1 <= {center_y_out_d5[27], center_y_out_d5};
         end
-        if (phases_2[3]) begin
-            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-        end
-        if (phases_3[5]) begin
-            t_x_plus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            t_x_plus_t_y_d2 <= t_x_plus_t_y_d1;
-            t_x_plus_t_y_d3 <= t_x_plus_t_y_d2;
-            first_sum_sum_d1_copy4 <= first_sum_sum;
-            shift_either_bits_d1 <= shift_either_copy3[27:17];
-            shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
-            shift_either_bits_d1_copy5 <= shift_either_copy3[27:21];
-            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+        if (phases_2[15]) begin
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            first_sum_product_d1_copy2 <= mul_f24_ftz_unit_copy2_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
         end
         if (phases_7[0]) begin
-            t_x_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            t_x_minus_t_y_d2 <= t_x_minus_t_y_d1;
-            t_x_minus_t_y_d3 <= t_x_minus_t_y_d2;
-            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
-            center_x_out_d6 <= center_x_out_d5;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            first_sum_sum_d1 <= mul_mul_add_f24_ftz_unit_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            shift_difference_d1 <= shift_difference;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
         end
-        if (phases_3[6]) begin
-            last_sum_sum_d1 <= last_sum_sum;
-            first_sum_difference_d1 <= first_sum_difference;
+        if (phases_2[2]) begin
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            largest_greater_d1 <= largest_greater;
+            mx_sum_bits_d1 <= mx_sum_bits_d1_bits;
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            not_zero_is_mx_sum_bits_d1 <= not_zero_is_mx_sum_bits;
+            mx_sum_bits_is_255_d1 <= mx_sum_bits_is_255;
+            mx_sum_bits_d1_copy2 <= mul_mul_add_f24_ftz_unit_y[14:0];
+            mx_sum_sign_d1 <= mul_mul_add_f24_ftz_unit_y[23];
+            edge_on_lesser_d1 <= edge_on_lesser;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+        end
+        if (phases_2[3]) begin
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            my_sum_bits_d1 <= mx_sum_bits_d1_bits;
+            my_sum_d1 <= my_sum;
+            my_sum_bits_d1_copy2 <= mul_mul_add_f24_ftz_unit_y[14:0];
+            first_sum_product_d1 <= mul_f24_ftz_unit_y;
+            exponent_d1 <= exponent;
+        end
+        if (phases_3[1]) begin
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_sign_d2 <= b_y_sign_d1;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            mx_sum_d1 <= mx_sum;
+            center_x_out_d6 <= center_x_out_d5;
+            center_x_out_d7 <= center_x_out_d6;
+        end
+        if (phases_3[13]) begin
+            unit_delta_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
             delta_bits_d1 <= {2'd0, delta[22:15]};
             delta_bits_d2 <= delta_bits_d1;
             delta_bits_d3 <= delta_bits_d2;
             delta_bits_d4 <= delta_bits_d3;
-            delta_bits_d5 <= delta_bits_d4;
-            exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy2[22:15]};
-            exponent_joined_bits_d2 <= exponent_joined_bits_d1;
+            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
         end
-        if (phases_3[15]) begin
-            first_difference_greater_d1 <= max_f24_ftz_unit_y;
-            center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
-            shift_chosen_bits_d1 <= shift_chosen[27:0];
-            shift_difference_d1_copy3 <= shift_difference_copy3;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-        end
-        if (phases_3[13]) begin
-            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
-            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
-            shift_shifted_d1 <= {22'd0, first_x} << 14;
-            by_out_lesser_d1 <= by_out_lesser[17:0];
-            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
-        end
-        if (phases_2[8]) begin
-            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
-            first_sum_greater_d1_copy2 <= first_sum_greater;
-            first_difference_difference_d1 <= first_difference_difference_copy2;
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
-            delta_bits_is_255_d1 <= delta_bits_is_255;
-        end
-        if (phases_2[9]) begin
-            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
-            last_difference_sum_d1_copy2 <= last_difference_sum_copy2;
-            shift_chosen_d1_copy3 <= shift_chosen_copy13;
-            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
-            vanishes_lesser_d1 <= vanishes_lesser[21:0];
-        end
-        if (phases_3[10]) begin
-            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
-            last_sum_out_d1 <= last_sum[7:0];
+        if (phases_2[11]) begin
+            alpha_bits_d1 <= a_x_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            m_exponent_plus_27_d1 <= m_exponent_plus_27;
+            largest_d1 <= largest;
+            last_difference_sum_d1 <= add_f24_ftz_unit_y;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_greater_d1 <= first_difference_greater;
             shift_d2 <= shift_d1;
-            ax_out_lesser_d1 <= ax_out_lesser[17:0];
-            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
-        end
-        if (phases_3[11]) begin
-            last_difference_sum_d1_copy3 <= last_difference_sum_copy4;
-            first_difference_greater_d1_copy2 <= first_difference_greater;
-            bx_out_lesser_d1 <= bx_out_lesser[17:0];
-            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
-        end
-        if (phases_4[14]) begin
-            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
-            shift_difference_d1 <= shift_difference;
-            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-        end
-        if (phases_8[0]) begin
-            center_x_out_d7 <= center_x_out_d6;
-            center_y_out_d6 <= center_y_out_d5;
-            center_y_out_d7 <= center_y_out_d6;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
-        end
-        if (phases_2[2]) shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
-        if (phases_3[3]) shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
-        if (phases_4[5]) begin
-            shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
-            shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
-            shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
-            shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
-            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
         end
         if (phases_2[7]) begin
-            shift_chosen_d1 <= shift_chosen_copy7;
-            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
-            mx_bits_d2 <= mx_bits_d1_copy4;
-            mx_bits_d3 <= mx_bits_d2;
-            mx_bits_d4 <= mx_bits_d3;
-            mx_bits_d5 <= mx_bits_d4;
-            not_zero_is_my_bits_d1_copy2 <= not_zero_is_my_bits_copy2;
-            not_zero_is_my_bits_d2 <= not_zero_is_my_bits_d1_copy2;
-            not_zero_is_my_bits_d3 <= not_zero_is_my_bits_d2;
-            not_zero_is_my_bits_d4 <= not_zero_is_my_bits_d3;
-            odd_either_d1 <= odd_either;
-            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255_copy3;
-            exponent_joined_bits_is_255_d1_copy2 <= exponent_joined_bits_is_255_copy4;
-            odd_either_d1_copy2 <= odd_either_copy4;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
+            first_difference_sum_d1_copy2 <= first_difference_sum;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+        end
+        if (phases_2[12]) begin
+            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_chosen_d1 <= my_chosen[7:0];
+            first_difference_d1 <= first_difference;
+            last_difference_lesser_d1 <= last_difference_lesser;
+            shift_plus_4_d1 <= shift_plus_4;
+        end
+        if (phases_3[3]) begin
+            t_x_plus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
+            t_x_plus_t_y_d2 <= t_x_plus_t_y_d1;
+            t_x_plus_t_y_d3 <= t_x_plus_t_y_d2;
+            root_of_first_difference_sum_d1 <= sqrt_f24_ftz_unit_y;
+            shift_either_d1 <= shift_either_copy2;
+        end
+        if (phases_3[2]) begin
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
+            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+        end
+        if (phases_2[8]) begin
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+        end
+        if (phases_3[7]) begin
+            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
             depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_high_out_d2 <= depth_high_out_d1;
         end
-        if (phases_4[6]) begin
+        if (phases_3[9]) begin
+            last_sum_lesser_d1 <= last_sum_lesser;
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
+            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
+        end
+        if (phases_2[10]) begin
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[21:0];
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+        end
+        if (phases_1[13]) begin
+            visible_in_order_d1 <= visible_in_order;
+            last_difference_out_d1 <= last_difference[7:0];
+        end
+        if (phases_3[14]) begin
+            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
             exponent_joined_bits_d3 <= exponent_joined_bits_d2;
             exponent_joined_bits_d4 <= exponent_joined_bits_d3;
-            exponent_joined_bits_d5 <= exponent_joined_bits_d4;
-            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy6[22:15]};
-            exponent_joined_bits_d2_copy2 <= exponent_joined_bits_d1_copy2;
-            exponent_joined_bits_d3_copy2 <= exponent_joined_bits_d2_copy2;
-            exponent_joined_bits_d4_copy2 <= exponent_joined_bits_d3_copy2;
-            exponent_joined_bits_d5_copy2 <= exponent_joined_bits_d4_copy2;
-            exponent_joined_bits_d1_copy3 <= {2'd0, exponent_chosen_copy4[22:15]};
-            exponent_joined_bits_d2_copy3 <= exponent_joined_bits_d1_copy3;
-            exponent_joined_bits_d3_copy3 <= exponent_joined_bits_d2_copy3;
-            exponent_joined_bits_d4_copy3 <= exponent_joined_bits_d3_copy3;
+            exponent_greater_d1 <= exponent_greater;
+            by_out_lesser_d1 <= by_out_lesser[17:0];
+            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
         end
-        if (phases_5[6]) begin
-            exponent_joined_bits_d5_copy3 <= exponent_joined_bits_d4_copy3;
-            exponent_joined_bits_d1_copy4 <= {2'd0, exponent_chosen_copy8[22:15]};
-            exponent_joined_bits_d2_copy4 <= exponent_joined_bits_d1_copy4;
-            exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
-            exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
-            exponent_joined_bits_d5_copy4 <= exponent_joined_bits_d4_copy4;
-            my_bits_d1_copy4 <= {2'd0, my[22:15]};
-            my_bits_d2 <= my_bits_d1_copy4;
-            my_bits_d3 <= my_bits_d2;
-            my_bits_d4 <= my_bits_d3;
-            my_bits_d1_copy5 <= my[14:0];
-        end
-        if (phases_4[4]) begin
-            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
-            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
-            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
-            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
-            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
-            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
-            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
-        end
-        if (phases_5[4]) begin
-            mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
-            my_bits_plus_126_d1 <= my_bits_plus_126;
-            my_out_joined_d1 <= {my_sign_d4, my_out_chosen[7:0], my_bits_d4_copy2};
-            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
-        end
-        if (phases_5[14]) begin
+        if (phases_3[15]) begin
+            center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
+            shift_shifted_d1 <= {22'd0, first_x} << 14;
             mx_out_lesser_d1 <= mx_out_lesser[17:0];
             my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
         end
-        if (phases_6[6]) begin
-            my_bits_d2_copy2 <= my_bits_d1_copy5;
-            my_bits_d3_copy2 <= my_bits_d2_copy2;
-            my_bits_d4_copy2 <= my_bits_d3_copy2;
+        if (phases_4[1]) begin
+            center_y_out_d6 <= center_y_out_d5;
+            center_y_out_d7 <= center_y_out_d6;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
+            shift_chosen_bits_d1 <= shift_chosen[27:0];
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+        end
+        if (phases_8[0]) begin
+            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
+            my_out_lesser_d1 <= my_out_lesser[17:0];
+        end
+        if (phases_5[1]) shift_difference_d1_copy3 <= shift_difference_copy3;
+        if (phases_3[5]) begin
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy4};
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy5};
+        end
+        if (phases_4[2]) shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
+        if (phases_2[6]) begin
+            shift_either_bits_d1 <= shift_either_copy3[27:17];
+            shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
+            shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
+            shift_either_bits_d1_copy4 <= shift_either_copy3[27:20];
+            shift_either_bits_d1_copy5 <= shift_either_copy3[27:21];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
             depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_low_out_d2 <= depth_low_out_d1;
         end
-        if (phases_4[15]) my_out_lesser_d1 <= my_out_lesser[17:0];
+        if (phases_4[13]) begin
+            exponent_joined_bits_d1_copy3 <= {2'd0, exponent_chosen_copy6[22:15]};
+            exponent_joined_bits_d2_copy2 <= exponent_joined_bits_d1_copy3;
+            exponent_joined_bits_d3_copy2 <= exponent_joined_bits_d2_copy2;
+            exponent_joined_bits_d4_copy2 <= exponent_joined_bits_d3_copy2;
+            exponent_joined_bits_d5 <= exponent_joined_bits_d4_copy2;
+            exponent_joined_bits_d1_copy4 <= {2'd0, exponent_chosen_copy4[22:15]};
+            exponent_joined_bits_d2_copy3 <= exponent_joined_bits_d1_copy4;
+            exponent_joined_bits_d3_copy3 <= exponent_joined_bits_d2_copy3;
+            exponent_joined_bits_d4_copy3 <= exponent_joined_bits_d3_copy3;
+            exponent_joined_bits_d5_copy2 <= exponent_joined_bits_d4_copy3;
+            exponent_joined_bits_d1_copy5 <= {2'd0, exponent_chosen_copy8[22:15]};
+            exponent_joined_bits_d2_copy4 <= exponent_joined_bits_d1_copy5;
+        end
+        if (phases_5[13]) begin
+            exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
+            exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
+            exponent_joined_bits_d5_copy3 <= exponent_joined_bits_d4_copy4;
+            mx_bits_d1 <= {2'd0, mx[22:15]};
+            mx_bits_d2 <= mx_bits_d1;
+            mx_bits_d3 <= mx_bits_d2;
+            mx_bits_d4 <= mx_bits_d3;
+            mx_bits_d5 <= mx_bits_d4;
+            my_bits_d1 <= {2'd0, my[22:15]};
+            my_bits_d2 <= my_bits_d1;
+            my_bits_d3 <= my_bits_d2;
+            my_bits_d4 <= my_bits_d3;
+        end
+        if (phases_6[13]) begin
+            my_bits_d5 <= my_bits_d4;
+            ay_out_lesser_d1 <= ay_out_lesser[17:0];
+            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+        end
+        if (phases_3[11]) begin
+            ax_out_lesser_d1 <= ax_out_lesser[17:0];
+            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
+        end
         if (phases_3[12]) begin
-            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_out_d2 <= depth_out_d1;
+            bx_out_lesser_d1 <= bx_out_lesser[17:0];
+            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_y;
+            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (phases_4[5]) begin
+            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
+            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy6};
+            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
+            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy7};
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+        end
+        if (phases_5[5]) begin
+            my_out_joined_d1 <= {my_sign_d5, my_out_chosen[7:0], my_bits_d5_copy2};
+            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delay_5_from_13_copy2_out};
+        end
+        if (phases_3[10]) begin
             depth_out_d3 <= depth_out_d2;
             depth_out_d4 <= depth_out_d3;
         end
         recip_f24_ftz_unit_a <= recip_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_y : in_center_z;
-        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_11, mul_f24_ftz_unit_a_choice_19};
-        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_11, mul_f24_ftz_unit_b_choice_22};
-        mul_f24_ftz_unit_copy2_a <= {mul_f24_ftz_unit_copy2_a_choice_12, mul_f24_ftz_unit_copy2_a_choice_23};
-        mul_f24_ftz_unit_copy2_b <= {mul_f24_ftz_unit_copy2_b_choice_12, mul_f24_ftz_unit_copy2_b_choice_23};
-        mul_f24_ftz_unit_copy3_a <= {mul_f24_ftz_unit_copy3_a_choice_11, mul_f24_ftz_unit_copy3_a_choice_22};
-        mul_f24_ftz_unit_copy3_b <= {mul_f24_ftz_unit_copy3_b_choice_10, mul_f24_ftz_unit_copy3_b_choice_20};
-        mul_f24_ftz_unit_copy4_a <= {mul_f24_ftz_unit_copy4_a_choice_10, mul_f24_ftz_unit_copy4_a_choice_19};
-        mul_f24_ftz_unit_copy4_b <= {mul_f24_ftz_unit_copy4_b_choice_9, mul_f24_ftz_unit_copy4_b_choice_18};
-        add_f24_ftz_unit_a <= {add_f24_ftz_unit_a_choice_13, add_f24_ftz_unit_a_choice_26};
-        add_f24_ftz_unit_b <= {add_f24_ftz_unit_b_choice_14, add_f24_ftz_unit_b_choice_28};
-        add_f24_ftz_unit_copy2_a <= {add_f24_ftz_unit_copy2_a_choice_13, add_f24_ftz_unit_copy2_a_choice_26};
-        add_f24_ftz_unit_copy2_b <= {add_f24_ftz_unit_copy2_b_choice_14, add_f24_ftz_unit_copy2_b_choice_27};
-        add_f24_ftz_unit_copy3_a <= {add_f24_ftz_unit_copy3_a_choice_12, add_f24_ftz_unit_copy3_a_choice_24};
-        add_f24_ftz_unit_copy3_b <= {add_f24_ftz_unit_copy3_b_choice_12, add_f24_ftz_unit_copy3_b_choice_24};
-        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[3] ? sqrt_f24_ftz_unit_a_choice_2 : sqrt_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_y : q_d1;
-        le_f24_ftz_unit_a <= le_f24_ftz_unit_phase[3] ? center_depth_d2 : 24'd0;
-        le_f24_ftz_unit_b <= le_f24_ftz_unit_phase[3] ? 24'h3f8000 : add_f24_ftz_unit_y;
-        min_f24_ftz_unit_a <= min_f24_ftz_unit_phase[3] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_5;
-        min_f24_ftz_unit_b <= min_f24_ftz_unit_phase_copy2[3] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_7;
+        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_9, mul_f24_ftz_unit_a_choice_16};
+        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_9, mul_f24_ftz_unit_b_choice_18};
+        mul_f24_ftz_unit_copy2_a <= mul_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_6;
+        mul_f24_ftz_unit_copy2_b <= mul_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_7;
+        mul_mul_add_f24_ftz_unit_a <= {mul_mul_add_f24_ftz_unit_a_choice_13, mul_mul_add_f24_ftz_unit_a_choice_24};
+        mul_mul_add_f24_ftz_unit_b <= {mul_mul_add_f24_ftz_unit_b_choice_10, mul_mul_add_f24_ftz_unit_b_choice_20};
+        mul_mul_add_f24_ftz_unit_c <= {mul_mul_add_f24_ftz_unit_c_choice_12, mul_mul_add_f24_ftz_unit_c_choice_24};
+        mul_mul_add_f24_ftz_unit_d <= {mul_mul_add_f24_ftz_unit_d_choice_13, mul_mul_add_f24_ftz_unit_d_choice_26};
+        add_f24_ftz_unit_a <= {add_f24_ftz_unit_a_choice_14, add_f24_ftz_unit_a_choice_27};
+        add_f24_ftz_unit_b <= {add_f24_ftz_unit_b_choice_15, add_f24_ftz_unit_b_choice_28};
+        add_f24_ftz_unit_copy2_a <= {add_f24_ftz_unit_copy2_a_choice_12, add_f24_ftz_unit_copy2_a_choice_24};
+        add_f24_ftz_unit_copy2_b <= {add_f24_ftz_unit_copy2_b_choice_13, add_f24_ftz_unit_copy2_b_choice_26};
+        sqrt_f24_ftz_unit_a <= sqrt_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_y : sqrt_f24_ftz_unit_a_choice;
+        min_f24_ftz_unit_a <= min_f24_ftz_unit_phase[3] ? min_f24_ftz_unit_a_choice_2 : min_f24_ftz_unit_a_choice_5;
+        min_f24_ftz_unit_b <= min_f24_ftz_unit_phase_copy2[3] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_5;
         max_f24_ftz_unit_a <= {max_f24_ftz_unit_a_choice_10, max_f24_ftz_unit_a_choice_17};
-        max_f24_ftz_unit_b <= {max_f24_ftz_unit_b_choice_9, max_f24_ftz_unit_b_choice_18};
+        max_f24_ftz_unit_b <= {max_f24_ftz_unit_b_choice_11, max_f24_ftz_unit_b_choice_22};
         to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
         to_fixed_f24_ftz_u23q8_unit_a <= min_f24_ftz_unit_y;
-        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
-        to_fixed_f24_ftz_s29q15_unit_a <= to_fixed_f24_ftz_s29q15_unit_phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
-        to_fixed_f24_ftz_s19q18_unit_a <= to_fixed_f24_ftz_s19q18_unit_phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_2 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
+        to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_phase[1] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s29q15_unit_a <= to_fixed_f24_ftz_s29q15_unit_phase[1] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
+        to_fixed_f24_ftz_s19q18_unit_a <= to_fixed_f24_ftz_s19q18_unit_phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
         to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
     end
     always @(posedge clk) begin
-        if (phases_1[0]) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_out, center_x_out};
-        if (phases_1[0]) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (phases_1[0]) delay_6_from_0[delay_6_from_0_pointer] <= odd_or_edge_on_or_not_placed;
+        if (phases_1[0]) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[0]) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
+            delay_11_from_0[delay_11_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
         end
-        if (phases_1[0]) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (phases_1[0]) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[1]) delay_6_from_1[delay_6_from_1_pointer] <= edge_on_or_visible_unequal;
-        if (phases_1[1]) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
+        if (phases_1[1]) delay_5_from_1[delay_5_from_1_pointer] <= {center_y_out, center_x_out};
+        if (phases_1[1]) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[6]) begin
-            delay_5_from_6[delay_5_from_6_pointer] <= {
-                delta[14:0], delta[23], exponent_chosen_copy8[14:0], b_y_sign_d2, exponent_chosen_copy4[14:0],
-                a_y_sign_d2, exponent_chosen_copy6[14:0], b_x_sign_d2, exponent_chosen_copy2[14:0], a_x_sign_d2
+        if (phases_1[8]) delay_6_from_8[delay_6_from_8_pointer] <= edge_on_or_visible_unequal;
+        if (phases_1[8]) delay_6_from_8_out <= delay_6_from_8[delay_6_from_8_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[9]) delay_7_from_9[delay_7_from_9_pointer] <= first_sum_both;
+        if (phases_1[9]) delay_7_from_9_out <= delay_7_from_9[delay_7_from_9_pointer];
+    end
+    always @(posedge clk) begin
+        if (phases_1[13]) begin
+            delay_5_from_13[delay_5_from_13_pointer] <= {
+                delta[23], my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d2,
+                exponent_chosen_copy4[14:0], a_y_sign_d2, exponent_chosen_copy6[14:0], b_x_sign_d2,
+                exponent_chosen_copy2[14:0], a_x_sign_d2
             };
         end
-        if (phases_1[6]) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
+        if (phases_1[13]) delay_5_from_13_out <= delay_5_from_13[delay_5_from_13_pointer];
     end
     always @(posedge clk) begin
-        if (phases_1[7]) begin
-            delay_5_from_7[delay_5_from_7_pointer] <= {
-                not_zero_is_delta_bits, mx[14:0], mx[23], by_out_inverted, ay_out_inverted, bx_out_inverted,
-                ax_out_inverted
+        if (phases_1[13]) delay_5_from_13_copy2[delay_5_from_13_copy2_pointer] <= delta[14:0];
+        if (phases_1[13]) begin
+            delay_5_from_13_copy2_out <= delay_5_from_13_copy2[delay_5_from_13_copy2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (phases_1[14]) begin
+            delay_5_from_14[delay_5_from_14_pointer] <= {
+                not_zero_is_delta_bits, not_zero_is_my_bits, not_zero_is_mx_bits, by_out_inverted, ay_out_inverted,
+                bx_out_inverted, ax_out_inverted
             };
         end
-        if (phases_1[7]) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[8]) begin
-            delay_5_from_8[delay_5_from_8_pointer] <= {odd_or_edge_on_or_not_placed, not_zero_is_mx_bits_copy2};
-        end
-        if (phases_1[8]) delay_5_from_8_out <= delay_5_from_8[delay_5_from_8_pointer];
-    end
-    always @(posedge clk) begin
-        if (phases_1[10]) delay_7_from_10[delay_7_from_10_pointer] <= first_sum_both;
-        if (phases_1[10]) delay_7_from_10_out <= delay_7_from_10[delay_7_from_10_pointer];
+        if (phases_1[14]) delay_5_from_14_out <= delay_5_from_14[delay_5_from_14_pointer];
     end
     always @(posedge clk) begin
         if (phases_1[14]) begin
@@ -7978,40 +7878,34 @@ module splat_setup (
     wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
     wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
     wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_9 = check_both_8 & ((mul_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_10 = check_both_9 & ((mul_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_11 = check_both_10 & ((mul_f24_ftz_unit_copy3_phase == 4'd0) == phases_1[0]);
-    wire check_both_12 = check_both_11 & ((mul_f24_ftz_unit_copy3_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_13 = check_both_12 & ((mul_f24_ftz_unit_copy3_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_14 = check_both_13 & ((mul_f24_ftz_unit_copy3_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_15 = check_both_14 & ((mul_f24_ftz_unit_copy4_phase == 4'd0) == phases_1[0]);
-    wire check_both_16 = check_both_15 & ((mul_f24_ftz_unit_copy4_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_17 = check_both_16 & ((mul_f24_ftz_unit_copy4_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_18 = check_both_17 & ((mul_f24_ftz_unit_copy4_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_19 = check_both_18 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_20 = check_both_19 & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_21 = check_both_20 & ((add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_22 = check_both_21 & ((add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_23 = check_both_22 & ((add_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
-    wire check_both_24 = check_both_23 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_25 = check_both_24 & ((add_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_26 = check_both_25 & ((add_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_27 = check_both_26 & ((add_f24_ftz_unit_copy3_phase == 4'd0) == phases_1[0]);
-    wire check_both_28 = check_both_27 & ((add_f24_ftz_unit_copy3_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_29 = check_both_28 & ((add_f24_ftz_unit_copy3_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_30 = check_both_29 & ((add_f24_ftz_unit_copy3_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_31 = check_both_30 & ((sqrt_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_32 = check_both_31 & ((le_f24_ftz_unit_phase == 4'd0) == phases_1[0]) & ((min_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_33 = check_both_32 & ((min_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_34 = check_both_33 & ((max_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_35 = check_both_34 & ((max_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_36 = check_both_35 & ((max_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_37 = check_both_36 & ((max_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_38 = check_both_37 & ((to_fixed_f24_ftz_u21q8_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_39 = check_both_38 & ((to_fixed_f24_ftz_u23q8_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_40 = check_both_39 & ((to_fixed_f24_ftz_s22q8_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_41 = check_both_40 & ((to_fixed_f24_ftz_s29q15_unit_phase == 4'd0) == phases_1[0]);
-    wire check_both_42 = check_both_41 & ((to_fixed_f24_ftz_s19q18_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((mul_mul_add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((mul_mul_add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((mul_mul_add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_12 = check_both_11 & ((mul_mul_add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_13 = check_both_12 & ((mul_mul_add_f24_ftz_unit_phase_copy5 == 4'd0) == phases_1[0]);
+    wire check_both_14 = check_both_13 & ((mul_mul_add_f24_ftz_unit_phase_copy6 == 4'd0) == phases_1[0]);
+    wire check_both_15 = check_both_14 & ((mul_mul_add_f24_ftz_unit_phase_copy7 == 4'd0) == phases_1[0]);
+    wire check_both_16 = check_both_15 & ((mul_mul_add_f24_ftz_unit_phase_copy8 == 4'd0) == phases_1[0]);
+    wire check_both_17 = check_both_16 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_18 = check_both_17 & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_19 = check_both_18 & ((add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_20 = check_both_19 & ((add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_21 = check_both_20 & ((add_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
+    wire check_both_22 = check_both_21 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_23 = check_both_22 & ((add_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_24 = check_both_23 & ((add_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_25 = check_both_24 & ((sqrt_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_26 = check_both_25 & ((min_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_27 = check_both_26 & ((min_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_28 = check_both_27 & ((max_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_29 = check_both_28 & ((max_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_30 = check_both_29 & ((max_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_31 = check_both_30 & ((max_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_32 = check_both_31 & ((to_fixed_f24_ftz_u21q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_33 = check_both_32 & ((to_fixed_f24_ftz_u23q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_34 = check_both_33 & ((to_fixed_f24_ftz_s22q8_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_35 = check_both_34 & ((to_fixed_f24_ftz_s29q15_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_36 = check_both_35 & ((to_fixed_f24_ftz_s19q18_unit_phase == 4'd0) == phases_1[0]);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -8034,7 +7928,7 @@ module splat_setup (
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
         queue_4_in_step: assert (queue_4_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_42 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]));
+        phases_are_in_step: assert (check_both_36 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -8057,7 +7951,7 @@ module splat_setup (
         if (!(queue_4_out_valid == out_valid)) begin
             $display("assertion failed: queue_4_in_step in %m"); $stop;
         end
-        if (!(check_both_42 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]))) begin
+        if (!(check_both_36 & ((to_fixed_f24_ftz_u24q24_unit_phase == 4'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -8890,6 +8784,20 @@ module float_sqrt_s18_f24ftz (
     };
 endmodule
 
+// Floating-point sum with products, each of them rounded.
+// format = f24-ftz
+module float_mul_mul_add_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
+    input  wire [23:0] d,
+    output wire [23:0] y
+);
+    wire [23:0] product_y, second_product_y;
+
+    float_mul_s5_f24ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_mul_s5_f24ftz second_product (.clk(clk), .enable(enable), .a(c), .b(d), .y(second_product_y));
+    float_add_s6_f24ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(second_product_y), .y(y));
+endmodule
+
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
@@ -9290,13 +9198,13 @@ module splat_transform (
     reg [15:0] phases_1;
     reg end_d1, end_d2;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1;
-    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, m12_times_center_z_d1;
-    reg [23:0] m22_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, u_x_sum_d1, u_y_sum_d1, u_z_sum_d1, u_x_d1, u_y_d1, u_z_d1;
     reg [15:0] phases_2;
-    reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
+    reg [23:0] tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, v1_x_sum_d1, v1_x_d1, v1_y_sum_d1, v1_y_d1, v1_z_sum_d1;
+    reg [23:0] v1_z_d1, tangent2_x_d1;
     reg [15:0] phases_3;
-    reg [23:0] tangent2_z_d1, v2_x_d1, v2_y_sum_d1, m12_times_tangent2_z_d1, v2_y_d1, v2_z_sum_d1;
-    reg [23:0] m22_times_tangent2_z_d1;
+    reg [23:0] tangent2_y_d1, tangent2_z_d1, v2_x_sum_d1, v2_x_d1, v2_y_sum_d1, v2_y_d1, m20_times_tangent2_x_d1;
+    reg [23:0] v2_z_sum_d1, m22_times_tangent2_z_d1;
     reg end_or_near_plane_below_u_z_d1, attribute_0_bits_is_31_d1;
     reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1;
     reg attribute_1_bits_is_31_d1;
@@ -9307,22 +9215,20 @@ module splat_transform (
     reg [23:0] mul_f24_ftz_unit_a;
     reg [3:0] mul_f24_ftz_unit_phase_copy3, mul_f24_ftz_unit_phase_copy4;
     reg [23:0] mul_f24_ftz_unit_b;
-    reg [3:0] mul_f24_ftz_unit_copy2_phase, mul_f24_ftz_unit_copy2_phase_copy2;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [3:0] mul_f24_ftz_unit_copy2_phase_copy3, mul_f24_ftz_unit_copy2_phase_copy4;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [3:0] add_f24_ftz_unit_phase, add_f24_ftz_unit_phase_copy2;
+    reg [3:0] mul_add_f24_ftz_unit_phase, mul_add_f24_ftz_unit_phase_copy2;
+    reg [23:0] mul_add_f24_ftz_unit_a;
+    reg [3:0] mul_add_f24_ftz_unit_phase_copy3, mul_add_f24_ftz_unit_phase_copy4;
+    reg [23:0] mul_add_f24_ftz_unit_b;
+    reg [3:0] mul_add_f24_ftz_unit_phase_copy5, mul_add_f24_ftz_unit_phase_copy6;
+    reg [23:0] mul_add_f24_ftz_unit_c;
+    reg [3:0] add_f24_ftz_unit_phase;
     reg [23:0] add_f24_ftz_unit_a;
-    reg [3:0] add_f24_ftz_unit_phase_copy3, add_f24_ftz_unit_phase_copy4;
+    reg [3:0] add_f24_ftz_unit_phase_copy2;
     reg [23:0] add_f24_ftz_unit_b;
-    reg [3:0] add_f24_ftz_unit_copy2_phase;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [3:0] add_f24_ftz_unit_copy2_phase_copy2;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
     reg [1:0] in_flight;
     reg left, dropped;
 
-    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_y, mul_add_f24_ftz_unit_y, add_f24_ftz_unit_y;
     wire lt_f24_ftz_unit_y, queue_1_in_ready;
     wire [120:0] queue_1_out_data;
     wire queue_2_in_ready, queue_2_out_valid;
@@ -9346,106 +9252,97 @@ module splat_transform (
     wire zero_is_attribute_2_bits = 10'd0 == in_attribute_2[9:0];
     wire [15:0] attribute_2_out_chosen = zero_is_attribute_2_bits ? {in_attribute_2[15], 15'h7bff} : 16'd0;
     wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
-    wire [7:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m02[23:16] : m22[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m12[23:16] : m02[23:16];
-    wire [7:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? m20[23:16] : mul_f24_ftz_unit_phase_copy2[0] ? m10[23:16] : m00[23:16];
-    wire [7:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
-    wire [7:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m20[23:16] : m10[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m00[23:16] : m12[23:16];
-    wire [7:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m02[23:16] : m10[23:16]) : mul_f24_ftz_unit_phase_copy2[0] ? m00[23:16] : m20[23:16];
-    wire [7:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
-    wire [7:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_6;
-    wire [15:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m02[15:0] : m22[15:0]) : mul_f24_ftz_unit_phase[0] ? m12[15:0] : m02[15:0];
-    wire [15:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase[1] ? m20[15:0] : mul_f24_ftz_unit_phase[0] ? m10[15:0] : m00[15:0];
-    wire [15:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_8 : mul_f24_ftz_unit_a_choice_9;
-    wire [15:0] mul_f24_ftz_unit_a_choice_11 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m20[15:0] : m10[15:0]) : mul_f24_ftz_unit_phase[0] ? m00[15:0] : m12[15:0];
-    wire [15:0] mul_f24_ftz_unit_a_choice_12 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m02[15:0] : m10[15:0]) : mul_f24_ftz_unit_phase[0] ? m00[15:0] : m20[15:0];
-    wire [15:0] mul_f24_ftz_unit_a_choice_13 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_11 : mul_f24_ftz_unit_a_choice_12;
-    wire [15:0] mul_f24_ftz_unit_a_choice_14 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_10 : mul_f24_ftz_unit_a_choice_13;
-    wire [7:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? tangent2_z_d1[23:16] : tangent1_z_d1[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice : tangent1_z_d1[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_2 : tangent2_x_d1[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[0] ? tangent1_x_d1[23:16] : center_z_d1[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[1] ? tangent1_x_d1[23:16] : mul_f24_ftz_unit_b_choice_4;
-    wire [7:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[0] ? center_z_d1[23:16] : center_x_d1[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[0] ? center_x_d1[23:16] : in_center_x[23:16];
-    wire [7:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_6 : mul_f24_ftz_unit_b_choice_7;
-    wire [7:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_5 : mul_f24_ftz_unit_b_choice_8;
-    wire [7:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_9;
-    wire [15:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy3[0] ? tangent2_z_d1[15:0] : tangent1_z_d1[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_11 : tangent1_z_d1[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_12 : tangent2_x_d1[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy3[0] ? tangent1_x_d1[15:0] : center_z_d1[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[1] ? tangent1_x_d1[15:0] : mul_f24_ftz_unit_b_choice_14;
-    wire [15:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[0] ? center_z_d1[15:0] : center_x_d1[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_17 = mul_f24_ftz_unit_phase_copy3[0] ? center_x_d1[15:0] : in_center_x[15:0];
-    wire [15:0] mul_f24_ftz_unit_b_choice_18 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_16 : mul_f24_ftz_unit_b_choice_17;
-    wire [15:0] mul_f24_ftz_unit_b_choice_19 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_15 : mul_f24_ftz_unit_b_choice_18;
-    wire [15:0] mul_f24_ftz_unit_b_choice_20 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_13 : mul_f24_ftz_unit_b_choice_19;
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice = mul_f24_ftz_unit_copy2_phase_copy2[1] ? m21[23:21] : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m11[23:21] : m01[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_2 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m22[23:21] : m12[23:21]) : mul_f24_ftz_unit_copy2_a_choice;
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_3 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m21[23:21] : m11[23:21]) : m01[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_4 = mul_f24_ftz_unit_copy2_phase_copy2[1] ? (mul_f24_ftz_unit_copy2_phase_copy2[0] ? m22[23:21] : m11[23:21]) : mul_f24_ftz_unit_copy2_phase_copy2[0] ? m01[23:21] : m21[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_5 = mul_f24_ftz_unit_copy2_phase_copy2[2] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_4;
-    wire [2:0] mul_f24_ftz_unit_copy2_a_choice_6 = mul_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_a_choice_5;
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_7 = mul_f24_ftz_unit_copy2_phase[1] ? m21[20:0] : mul_f24_ftz_unit_copy2_phase[0] ? m11[20:0] : m01[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_8 = mul_f24_ftz_unit_copy2_phase[2] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22[20:0] : m12[20:0]) : mul_f24_ftz_unit_copy2_a_choice_7;
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_9 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m21[20:0] : m11[20:0]) : m01[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_10 = mul_f24_ftz_unit_copy2_phase[1] ? (mul_f24_ftz_unit_copy2_phase[0] ? m22[20:0] : m11[20:0]) : mul_f24_ftz_unit_copy2_phase[0] ? m01[20:0] : m21[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_11 = mul_f24_ftz_unit_copy2_phase[2] ? mul_f24_ftz_unit_copy2_a_choice_9 : mul_f24_ftz_unit_copy2_a_choice_10;
-    wire [20:0] mul_f24_ftz_unit_copy2_a_choice_12 = mul_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_copy2_a_choice_8 : mul_f24_ftz_unit_copy2_a_choice_11;
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice = mul_f24_ftz_unit_copy2_phase_copy4[2] ? tangent2_z_d1[23:21] : tangent2_y_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_2 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? center_z_d1[23:21] : center_y_d1[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_3 = mul_f24_ftz_unit_copy2_phase_copy4[0] ? center_y_d1[23:21] : in_center_y[23:21];
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_4 = mul_f24_ftz_unit_copy2_phase_copy4[1] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_5 = mul_f24_ftz_unit_copy2_phase_copy4[2] ? tangent1_y_d1[23:21] : mul_f24_ftz_unit_copy2_b_choice_4;
-    wire [2:0] mul_f24_ftz_unit_copy2_b_choice_6 = mul_f24_ftz_unit_copy2_phase_copy4[3] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_5;
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_7 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? tangent2_z_d1[20:0] : tangent2_y_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_8 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? center_z_d1[20:0] : center_y_d1[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_9 = mul_f24_ftz_unit_copy2_phase_copy3[0] ? center_y_d1[20:0] : in_center_y[20:0];
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_10 = mul_f24_ftz_unit_copy2_phase_copy3[1] ? mul_f24_ftz_unit_copy2_b_choice_8 : mul_f24_ftz_unit_copy2_b_choice_9;
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_11 = mul_f24_ftz_unit_copy2_phase_copy3[2] ? tangent1_y_d1[20:0] : mul_f24_ftz_unit_copy2_b_choice_10;
-    wire [20:0] mul_f24_ftz_unit_copy2_b_choice_12 = mul_f24_ftz_unit_copy2_phase_copy3[3] ? mul_f24_ftz_unit_copy2_b_choice_7 : mul_f24_ftz_unit_copy2_b_choice_11;
-    wire [5:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : add_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_2 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_3 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_4 = add_f24_ftz_unit_phase_copy2[0] ? mul_f24_ftz_unit_y[23:18] : m03[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_5 = add_f24_ftz_unit_phase_copy2[1] ? mul_f24_ftz_unit_y[23:18] : add_f24_ftz_unit_a_choice_4;
-    wire [5:0] add_f24_ftz_unit_a_choice_6 = add_f24_ftz_unit_phase_copy2[0] ? m23[23:18] : add_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_7 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_a_choice_6 : add_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_a_choice_8 = add_f24_ftz_unit_phase_copy2[2] ? add_f24_ftz_unit_a_choice_5 : add_f24_ftz_unit_a_choice_7;
-    wire [5:0] add_f24_ftz_unit_a_choice_9 = add_f24_ftz_unit_phase_copy2[3] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_8;
-    wire [17:0] add_f24_ftz_unit_a_choice_10 = add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : add_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_a_choice_11 = add_f24_ftz_unit_phase[1] ? add_f24_ftz_unit_a_choice_10 : add_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_a_choice_12 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_11 : mul_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_a_choice_13 = add_f24_ftz_unit_phase[1] ? mul_f24_ftz_unit_y[17:0] : add_f24_ftz_unit_phase[0] ? mul_f24_ftz_unit_y[17:0] : m03[17:0];
-    wire [17:0] add_f24_ftz_unit_a_choice_14 = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? m23[17:0] : add_f24_ftz_unit_y[17:0]) : add_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_a_choice_15 = add_f24_ftz_unit_phase[2] ? add_f24_ftz_unit_a_choice_13 : add_f24_ftz_unit_a_choice_14;
-    wire [17:0] add_f24_ftz_unit_a_choice_16 = add_f24_ftz_unit_phase[3] ? add_f24_ftz_unit_a_choice_12 : add_f24_ftz_unit_a_choice_15;
-    wire [5:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : m12_times_center_z_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy4[0] ? m02_times_center_z_d1[23:18] : m22_times_center_z_d1[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_3 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-    wire [5:0] add_f24_ftz_unit_b_choice_4 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_copy2_y[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_5 = add_f24_ftz_unit_phase_copy4[0] ? mul_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_6 = add_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_copy2_y[23:18] : add_f24_ftz_unit_b_choice_5;
-    wire [5:0] add_f24_ftz_unit_b_choice_7 = add_f24_ftz_unit_phase_copy4[0] ? add_f24_ftz_unit_y[23:18] : mul_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_8 = add_f24_ftz_unit_phase_copy4[1] ? add_f24_ftz_unit_b_choice_7 : mul_f24_ftz_unit_y[23:18];
-    wire [5:0] add_f24_ftz_unit_b_choice_9 = add_f24_ftz_unit_phase_copy4[2] ? add_f24_ftz_unit_b_choice_6 : add_f24_ftz_unit_b_choice_8;
-    wire [5:0] add_f24_ftz_unit_b_choice_10 = add_f24_ftz_unit_phase_copy4[3] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_9;
-    wire [17:0] add_f24_ftz_unit_b_choice_11 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : m12_times_center_z_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_12 = add_f24_ftz_unit_phase_copy3[0] ? m02_times_center_z_d1[17:0] : m22_times_center_z_d1[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_13 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_11 : add_f24_ftz_unit_b_choice_12;
-    wire [17:0] add_f24_ftz_unit_b_choice_14 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_13 : mul_f24_ftz_unit_copy2_y[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_15 = add_f24_ftz_unit_phase_copy3[0] ? mul_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_16 = add_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_copy2_y[17:0] : add_f24_ftz_unit_b_choice_15;
-    wire [17:0] add_f24_ftz_unit_b_choice_17 = add_f24_ftz_unit_phase_copy3[0] ? add_f24_ftz_unit_y[17:0] : mul_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_18 = add_f24_ftz_unit_phase_copy3[1] ? add_f24_ftz_unit_b_choice_17 : mul_f24_ftz_unit_y[17:0];
-    wire [17:0] add_f24_ftz_unit_b_choice_19 = add_f24_ftz_unit_phase_copy3[2] ? add_f24_ftz_unit_b_choice_16 : add_f24_ftz_unit_b_choice_18;
-    wire [17:0] add_f24_ftz_unit_b_choice_20 = add_f24_ftz_unit_phase_copy3[3] ? add_f24_ftz_unit_b_choice_14 : add_f24_ftz_unit_b_choice_19;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = add_f24_ftz_unit_copy2_phase[1] ? (add_f24_ftz_unit_copy2_phase[0] ? v2_z_sum_d1 : v2_y_sum_d1) : add_f24_ftz_unit_copy2_phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = add_f24_ftz_unit_copy2_phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = add_f24_ftz_unit_copy2_phase_copy2[0] ? m22_times_tangent2_z_d1 : m12_times_tangent2_z_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = add_f24_ftz_unit_copy2_phase_copy2[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = add_f24_ftz_unit_copy2_phase_copy2[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = add_f24_ftz_unit_copy2_phase_copy2[2] ? add_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_y;
+    wire [2:0] mul_f24_ftz_unit_a_choice = mul_f24_ftz_unit_phase_copy2[1] ? m22[23:21] : mul_f24_ftz_unit_phase_copy2[0] ? m21[23:21] : m20[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_2 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m11[23:21] : m01[23:21]) : mul_f24_ftz_unit_phase_copy2[0] ? m21[23:21] : m11[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_3 = mul_f24_ftz_unit_phase_copy2[1] ? (mul_f24_ftz_unit_phase_copy2[0] ? m01[23:21] : m11[23:21]) : mul_f24_ftz_unit_phase_copy2[0] ? m01[23:21] : m21[23:21];
+    wire [2:0] mul_f24_ftz_unit_a_choice_4 = mul_f24_ftz_unit_phase_copy2[2] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_a_choice_3;
+    wire [2:0] mul_f24_ftz_unit_a_choice_5 = mul_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_4;
+    wire [20:0] mul_f24_ftz_unit_a_choice_6 = mul_f24_ftz_unit_phase[1] ? m22[20:0] : mul_f24_ftz_unit_phase[0] ? m21[20:0] : m20[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_7 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m11[20:0] : m01[20:0]) : mul_f24_ftz_unit_phase[0] ? m21[20:0] : m11[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_8 = mul_f24_ftz_unit_phase[1] ? (mul_f24_ftz_unit_phase[0] ? m01[20:0] : m11[20:0]) : mul_f24_ftz_unit_phase[0] ? m01[20:0] : m21[20:0];
+    wire [20:0] mul_f24_ftz_unit_a_choice_9 = mul_f24_ftz_unit_phase[2] ? mul_f24_ftz_unit_a_choice_7 : mul_f24_ftz_unit_a_choice_8;
+    wire [20:0] mul_f24_ftz_unit_a_choice_10 = mul_f24_ftz_unit_phase[3] ? mul_f24_ftz_unit_a_choice_6 : mul_f24_ftz_unit_a_choice_9;
+    wire [2:0] mul_f24_ftz_unit_b_choice = mul_f24_ftz_unit_phase_copy4[0] ? tangent2_y_d1[23:21] : tangent2_x_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_2 = mul_f24_ftz_unit_phase_copy4[1] ? tangent2_z_d1[23:21] : mul_f24_ftz_unit_b_choice;
+    wire [2:0] mul_f24_ftz_unit_b_choice_3 = mul_f24_ftz_unit_phase_copy4[1] ? tangent2_y_d1[23:21] : tangent1_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_4 = mul_f24_ftz_unit_phase_copy4[0] ? tangent1_y_d1[23:21] : center_y_d1[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_5 = mul_f24_ftz_unit_phase_copy4[0] ? center_y_d1[23:21] : in_center_y[23:21];
+    wire [2:0] mul_f24_ftz_unit_b_choice_6 = mul_f24_ftz_unit_phase_copy4[1] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_5;
+    wire [2:0] mul_f24_ftz_unit_b_choice_7 = mul_f24_ftz_unit_phase_copy4[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_6;
+    wire [2:0] mul_f24_ftz_unit_b_choice_8 = mul_f24_ftz_unit_phase_copy4[3] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_7;
+    wire [20:0] mul_f24_ftz_unit_b_choice_9 = mul_f24_ftz_unit_phase_copy3[0] ? tangent2_y_d1[20:0] : tangent2_x_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_10 = mul_f24_ftz_unit_phase_copy3[1] ? tangent2_z_d1[20:0] : mul_f24_ftz_unit_b_choice_9;
+    wire [20:0] mul_f24_ftz_unit_b_choice_11 = mul_f24_ftz_unit_phase_copy3[1] ? tangent2_y_d1[20:0] : tangent1_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_12 = mul_f24_ftz_unit_phase_copy3[0] ? tangent1_y_d1[20:0] : center_y_d1[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_13 = mul_f24_ftz_unit_phase_copy3[0] ? center_y_d1[20:0] : in_center_y[20:0];
+    wire [20:0] mul_f24_ftz_unit_b_choice_14 = mul_f24_ftz_unit_phase_copy3[1] ? mul_f24_ftz_unit_b_choice_12 : mul_f24_ftz_unit_b_choice_13;
+    wire [20:0] mul_f24_ftz_unit_b_choice_15 = mul_f24_ftz_unit_phase_copy3[2] ? mul_f24_ftz_unit_b_choice_11 : mul_f24_ftz_unit_b_choice_14;
+    wire [20:0] mul_f24_ftz_unit_b_choice_16 = mul_f24_ftz_unit_phase_copy3[3] ? mul_f24_ftz_unit_b_choice_10 : mul_f24_ftz_unit_b_choice_15;
+    wire [7:0] mul_add_f24_ftz_unit_a_choice = mul_add_f24_ftz_unit_phase_copy2[0] ? m12[23:16] : m02[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_2 = mul_add_f24_ftz_unit_phase_copy2[1] ? (mul_add_f24_ftz_unit_phase_copy2[0] ? m02[23:16] : m22[23:16]) : mul_add_f24_ftz_unit_a_choice;
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_3 = mul_add_f24_ftz_unit_phase_copy2[1] ? mul_add_f24_ftz_unit_a_choice : mul_add_f24_ftz_unit_phase_copy2[0] ? m22[23:16] : m10[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_4 = mul_add_f24_ftz_unit_phase_copy2[2] ? mul_add_f24_ftz_unit_a_choice_2 : mul_add_f24_ftz_unit_a_choice_3;
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_5 = mul_add_f24_ftz_unit_phase_copy2[0] ? m10[23:16] : m00[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_6 = mul_add_f24_ftz_unit_phase_copy2[1] ? (mul_add_f24_ftz_unit_phase_copy2[0] ? m00[23:16] : m20[23:16]) : mul_add_f24_ftz_unit_a_choice_5;
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_7 = mul_add_f24_ftz_unit_phase_copy2[1] ? mul_add_f24_ftz_unit_a_choice_5 : mul_add_f24_ftz_unit_phase_copy2[0] ? m20[23:16] : m12[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_8 = mul_add_f24_ftz_unit_phase_copy2[2] ? mul_add_f24_ftz_unit_a_choice_6 : mul_add_f24_ftz_unit_a_choice_7;
+    wire [7:0] mul_add_f24_ftz_unit_a_choice_9 = mul_add_f24_ftz_unit_phase_copy2[3] ? mul_add_f24_ftz_unit_a_choice_4 : mul_add_f24_ftz_unit_a_choice_8;
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_10 = mul_add_f24_ftz_unit_phase[0] ? m12[15:0] : m02[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_11 = mul_add_f24_ftz_unit_phase[1] ? (mul_add_f24_ftz_unit_phase[0] ? m02[15:0] : m22[15:0]) : mul_add_f24_ftz_unit_a_choice_10;
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_12 = mul_add_f24_ftz_unit_phase[1] ? mul_add_f24_ftz_unit_a_choice_10 : mul_add_f24_ftz_unit_phase[0] ? m22[15:0] : m10[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_13 = mul_add_f24_ftz_unit_phase[2] ? mul_add_f24_ftz_unit_a_choice_11 : mul_add_f24_ftz_unit_a_choice_12;
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_14 = mul_add_f24_ftz_unit_phase[0] ? m10[15:0] : m00[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_15 = mul_add_f24_ftz_unit_phase[1] ? (mul_add_f24_ftz_unit_phase[0] ? m00[15:0] : m20[15:0]) : mul_add_f24_ftz_unit_a_choice_14;
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_16 = mul_add_f24_ftz_unit_phase[1] ? mul_add_f24_ftz_unit_a_choice_14 : mul_add_f24_ftz_unit_phase[0] ? m20[15:0] : m12[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_17 = mul_add_f24_ftz_unit_phase[2] ? mul_add_f24_ftz_unit_a_choice_15 : mul_add_f24_ftz_unit_a_choice_16;
+    wire [15:0] mul_add_f24_ftz_unit_a_choice_18 = mul_add_f24_ftz_unit_phase[3] ? mul_add_f24_ftz_unit_a_choice_13 : mul_add_f24_ftz_unit_a_choice_17;
+    wire [7:0] mul_add_f24_ftz_unit_b_choice = mul_add_f24_ftz_unit_phase_copy4[0] ? tangent2_z_d1[23:16] : tangent1_z_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_2 = mul_add_f24_ftz_unit_phase_copy4[1] ? mul_add_f24_ftz_unit_b_choice : tangent1_z_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_3 = mul_add_f24_ftz_unit_phase_copy4[0] ? center_z_d1[23:16] : tangent2_x_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_4 = mul_add_f24_ftz_unit_phase_copy4[1] ? center_z_d1[23:16] : mul_add_f24_ftz_unit_b_choice_3;
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_5 = mul_add_f24_ftz_unit_phase_copy4[2] ? mul_add_f24_ftz_unit_b_choice_2 : mul_add_f24_ftz_unit_b_choice_4;
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_6 = mul_add_f24_ftz_unit_phase_copy4[0] ? tangent2_x_d1[23:16] : tangent1_x_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_7 = mul_add_f24_ftz_unit_phase_copy4[1] ? mul_add_f24_ftz_unit_b_choice_6 : tangent1_x_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_8 = mul_add_f24_ftz_unit_phase_copy4[0] ? center_x_d1[23:16] : tangent2_z_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_9 = mul_add_f24_ftz_unit_phase_copy4[1] ? center_x_d1[23:16] : mul_add_f24_ftz_unit_b_choice_8;
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_10 = mul_add_f24_ftz_unit_phase_copy4[2] ? mul_add_f24_ftz_unit_b_choice_7 : mul_add_f24_ftz_unit_b_choice_9;
+    wire [7:0] mul_add_f24_ftz_unit_b_choice_11 = mul_add_f24_ftz_unit_phase_copy4[3] ? mul_add_f24_ftz_unit_b_choice_5 : mul_add_f24_ftz_unit_b_choice_10;
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_12 = mul_add_f24_ftz_unit_phase_copy3[0] ? tangent2_z_d1[15:0] : tangent1_z_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_13 = mul_add_f24_ftz_unit_phase_copy3[1] ? mul_add_f24_ftz_unit_b_choice_12 : tangent1_z_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_14 = mul_add_f24_ftz_unit_phase_copy3[0] ? center_z_d1[15:0] : tangent2_x_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_15 = mul_add_f24_ftz_unit_phase_copy3[1] ? center_z_d1[15:0] : mul_add_f24_ftz_unit_b_choice_14;
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_16 = mul_add_f24_ftz_unit_phase_copy3[2] ? mul_add_f24_ftz_unit_b_choice_13 : mul_add_f24_ftz_unit_b_choice_15;
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_17 = mul_add_f24_ftz_unit_phase_copy3[0] ? tangent2_x_d1[15:0] : tangent1_x_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_18 = mul_add_f24_ftz_unit_phase_copy3[1] ? mul_add_f24_ftz_unit_b_choice_17 : tangent1_x_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_19 = mul_add_f24_ftz_unit_phase_copy3[0] ? center_x_d1[15:0] : tangent2_z_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_20 = mul_add_f24_ftz_unit_phase_copy3[1] ? center_x_d1[15:0] : mul_add_f24_ftz_unit_b_choice_19;
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_21 = mul_add_f24_ftz_unit_phase_copy3[2] ? mul_add_f24_ftz_unit_b_choice_18 : mul_add_f24_ftz_unit_b_choice_20;
+    wire [15:0] mul_add_f24_ftz_unit_b_choice_22 = mul_add_f24_ftz_unit_phase_copy3[3] ? mul_add_f24_ftz_unit_b_choice_16 : mul_add_f24_ftz_unit_b_choice_21;
+    wire [7:0] mul_add_f24_ftz_unit_c_choice = mul_add_f24_ftz_unit_phase_copy6[0] ? u_y_sum_d1[23:16] : u_x_sum_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_2 = mul_add_f24_ftz_unit_phase_copy6[0] ? u_z_sum_d1[23:16] : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_3 = mul_add_f24_ftz_unit_phase_copy6[1] ? mul_add_f24_ftz_unit_c_choice : mul_add_f24_ftz_unit_c_choice_2;
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_4 = mul_add_f24_ftz_unit_phase_copy6[2] ? mul_add_f24_ftz_unit_c_choice_3 : mul_f24_ftz_unit_y[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_5 = mul_add_f24_ftz_unit_phase_copy6[0] ? mul_f24_ftz_unit_y[23:16] : v2_y_sum_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_6 = mul_add_f24_ftz_unit_phase_copy6[1] ? mul_f24_ftz_unit_y[23:16] : mul_add_f24_ftz_unit_c_choice_5;
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_7 = mul_add_f24_ftz_unit_phase_copy6[0] ? v2_x_sum_d1[23:16] : v1_z_sum_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_8 = mul_add_f24_ftz_unit_phase_copy6[0] ? v1_y_sum_d1[23:16] : v1_x_sum_d1[23:16];
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_9 = mul_add_f24_ftz_unit_phase_copy6[1] ? mul_add_f24_ftz_unit_c_choice_7 : mul_add_f24_ftz_unit_c_choice_8;
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_10 = mul_add_f24_ftz_unit_phase_copy6[2] ? mul_add_f24_ftz_unit_c_choice_6 : mul_add_f24_ftz_unit_c_choice_9;
+    wire [7:0] mul_add_f24_ftz_unit_c_choice_11 = mul_add_f24_ftz_unit_phase_copy6[3] ? mul_add_f24_ftz_unit_c_choice_4 : mul_add_f24_ftz_unit_c_choice_10;
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_12 = mul_add_f24_ftz_unit_phase_copy5[0] ? u_y_sum_d1[15:0] : u_x_sum_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_13 = mul_add_f24_ftz_unit_phase_copy5[0] ? u_z_sum_d1[15:0] : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_14 = mul_add_f24_ftz_unit_phase_copy5[1] ? mul_add_f24_ftz_unit_c_choice_12 : mul_add_f24_ftz_unit_c_choice_13;
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_15 = mul_add_f24_ftz_unit_phase_copy5[2] ? mul_add_f24_ftz_unit_c_choice_14 : mul_f24_ftz_unit_y[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_16 = mul_add_f24_ftz_unit_phase_copy5[0] ? mul_f24_ftz_unit_y[15:0] : v2_y_sum_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_17 = mul_add_f24_ftz_unit_phase_copy5[1] ? mul_f24_ftz_unit_y[15:0] : mul_add_f24_ftz_unit_c_choice_16;
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_18 = mul_add_f24_ftz_unit_phase_copy5[0] ? v2_x_sum_d1[15:0] : v1_z_sum_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_19 = mul_add_f24_ftz_unit_phase_copy5[0] ? v1_y_sum_d1[15:0] : v1_x_sum_d1[15:0];
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_20 = mul_add_f24_ftz_unit_phase_copy5[1] ? mul_add_f24_ftz_unit_c_choice_18 : mul_add_f24_ftz_unit_c_choice_19;
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_21 = mul_add_f24_ftz_unit_phase_copy5[2] ? mul_add_f24_ftz_unit_c_choice_17 : mul_add_f24_ftz_unit_c_choice_20;
+    wire [15:0] mul_add_f24_ftz_unit_c_choice_22 = mul_add_f24_ftz_unit_phase_copy5[3] ? mul_add_f24_ftz_unit_c_choice_15 : mul_add_f24_ftz_unit_c_choice_21;
+    wire [23:0] add_f24_ftz_unit_a_choice = add_f24_ftz_unit_phase[1] ? (add_f24_ftz_unit_phase[0] ? v2_z_sum_d1 : m13) : add_f24_ftz_unit_phase[0] ? m03 : m23;
+    wire [23:0] add_f24_ftz_unit_b_choice = add_f24_ftz_unit_phase_copy2[0] ? m22_times_tangent2_z_d1 : mul_add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = add_f24_ftz_unit_phase_copy2[1] ? add_f24_ftz_unit_b_choice : mul_add_f24_ftz_unit_y;
 
     assign {out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y} = queue_1_out_data;
     assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
@@ -9454,18 +9351,13 @@ module splat_transform (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
-        .y(mul_f24_ftz_unit_copy2_y)
+    float_mul_add_f24ftz mul_add_f24_ftz_unit (
+        .clk(clk), .enable(1'd1), .a(mul_add_f24_ftz_unit_a), .b(mul_add_f24_ftz_unit_b),
+        .c(mul_add_f24_ftz_unit_c), .y(mul_add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b), .y(add_f24_ftz_unit_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
-        .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
@@ -9480,7 +9372,7 @@ module splat_transform (
 
     stream_fifo_d3_w128_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data({v1_z_d1, v2_x_d1, v2_y_d1, add_f24_ftz_unit_copy2_y, attribute_0_out_d1, attribute_1_out_d1}),
+        .in_data({v1_z_d1, v2_x_d1, v2_y_d1, add_f24_ftz_unit_y, attribute_0_out_d1, attribute_1_out_d1}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
@@ -9499,16 +9391,14 @@ module splat_transform (
             mul_f24_ftz_unit_phase_copy2 <= 4'd0;
             mul_f24_ftz_unit_phase_copy3 <= 4'd0;
             mul_f24_ftz_unit_phase_copy4 <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase_copy3 <= 4'd0;
-            mul_f24_ftz_unit_copy2_phase_copy4 <= 4'd0;
+            mul_add_f24_ftz_unit_phase <= 4'd0;
+            mul_add_f24_ftz_unit_phase_copy2 <= 4'd0;
+            mul_add_f24_ftz_unit_phase_copy3 <= 4'd0;
+            mul_add_f24_ftz_unit_phase_copy4 <= 4'd0;
+            mul_add_f24_ftz_unit_phase_copy5 <= 4'd0;
+            mul_add_f24_ftz_unit_phase_copy6 <= 4'd0;
             add_f24_ftz_unit_phase <= 4'd0;
             add_f24_ftz_unit_phase_copy2 <= 4'd0;
-            add_f24_ftz_unit_phase_copy3 <= 4'd0;
-            add_f24_ftz_unit_phase_copy4 <= 4'd0;
-            add_f24_ftz_unit_copy2_phase <= 4'd0;
-            add_f24_ftz_unit_copy2_phase_copy2 <= 4'd0;
             in_flight <= 2'd0;
             left <= 1'd0;
             dropped <= 1'd0;
@@ -9521,16 +9411,14 @@ module splat_transform (
             mul_f24_ftz_unit_phase_copy2 <= (mul_f24_ftz_unit_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_phase_copy2 + 4'd1);
             mul_f24_ftz_unit_phase_copy3 <= (mul_f24_ftz_unit_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_phase_copy3 + 4'd1);
             mul_f24_ftz_unit_phase_copy4 <= (mul_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_phase_copy4 + 4'd1);
-            mul_f24_ftz_unit_copy2_phase <= (mul_f24_ftz_unit_copy2_phase == 4'd15) ? (mul_f24_ftz_unit_copy2_phase - 4'd15) : (mul_f24_ftz_unit_copy2_phase + 4'd1);
-            mul_f24_ftz_unit_copy2_phase_copy2 <= (mul_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
-            mul_f24_ftz_unit_copy2_phase_copy3 <= (mul_f24_ftz_unit_copy2_phase_copy3 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy3 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy3 + 4'd1);
-            mul_f24_ftz_unit_copy2_phase_copy4 <= (mul_f24_ftz_unit_copy2_phase_copy4 == 4'd15) ? (mul_f24_ftz_unit_copy2_phase_copy4 - 4'd15) : (mul_f24_ftz_unit_copy2_phase_copy4 + 4'd1);
+            mul_add_f24_ftz_unit_phase <= (mul_add_f24_ftz_unit_phase == 4'd15) ? (mul_add_f24_ftz_unit_phase - 4'd15) : (mul_add_f24_ftz_unit_phase + 4'd1);
+            mul_add_f24_ftz_unit_phase_copy2 <= (mul_add_f24_ftz_unit_phase_copy2 == 4'd15) ? (mul_add_f24_ftz_unit_phase_copy2 - 4'd15) : (mul_add_f24_ftz_unit_phase_copy2 + 4'd1);
+            mul_add_f24_ftz_unit_phase_copy3 <= (mul_add_f24_ftz_unit_phase_copy3 == 4'd15) ? (mul_add_f24_ftz_unit_phase_copy3 - 4'd15) : (mul_add_f24_ftz_unit_phase_copy3 + 4'd1);
+            mul_add_f24_ftz_unit_phase_copy4 <= (mul_add_f24_ftz_unit_phase_copy4 == 4'd15) ? (mul_add_f24_ftz_unit_phase_copy4 - 4'd15) : (mul_add_f24_ftz_unit_phase_copy4 + 4'd1);
+            mul_add_f24_ftz_unit_phase_copy5 <= (mul_add_f24_ftz_unit_phase_copy5 == 4'd15) ? (mul_add_f24_ftz_unit_phase_copy5 - 4'd15) : (mul_add_f24_ftz_unit_phase_copy5 + 4'd1);
+            mul_add_f24_ftz_unit_phase_copy6 <= (mul_add_f24_ftz_unit_phase_copy6 == 4'd15) ? (mul_add_f24_ftz_unit_phase_copy6 - 4'd15) : (mul_add_f24_ftz_unit_phase_copy6 + 4'd1);
             add_f24_ftz_unit_phase <= (add_f24_ftz_unit_phase == 4'd15) ? (add_f24_ftz_unit_phase - 4'd15) : (add_f24_ftz_unit_phase + 4'd1);
             add_f24_ftz_unit_phase_copy2 <= (add_f24_ftz_unit_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_phase_copy2 - 4'd15) : (add_f24_ftz_unit_phase_copy2 + 4'd1);
-            add_f24_ftz_unit_phase_copy3 <= (add_f24_ftz_unit_phase_copy3 == 4'd15) ? (add_f24_ftz_unit_phase_copy3 - 4'd15) : (add_f24_ftz_unit_phase_copy3 + 4'd1);
-            add_f24_ftz_unit_phase_copy4 <= (add_f24_ftz_unit_phase_copy4 == 4'd15) ? (add_f24_ftz_unit_phase_copy4 - 4'd15) : (add_f24_ftz_unit_phase_copy4 + 4'd1);
-            add_f24_ftz_unit_copy2_phase <= (add_f24_ftz_unit_copy2_phase == 4'd15) ? (add_f24_ftz_unit_copy2_phase - 4'd15) : (add_f24_ftz_unit_copy2_phase + 4'd1);
-            add_f24_ftz_unit_copy2_phase_copy2 <= (add_f24_ftz_unit_copy2_phase_copy2 == 4'd15) ? (add_f24_ftz_unit_copy2_phase_copy2 - 4'd15) : (add_f24_ftz_unit_copy2_phase_copy2 + 4'd1);
             left <= out_valid & out_ready;
             dropped <= in_flight_1_and_phases_1_14 & ~end_or_near_plane_below_u_z_d1;
             if (phases_1[0]) in_flight <= {in_flight[0], in_valid_and_in_ready};
@@ -9550,58 +9438,59 @@ module splat_transform (
             attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
             attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
         end
-        if (phases_1[8]) begin
-            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            m22_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            v1_x_d1 <= add_f24_ftz_unit_y;
-        end
-        if (phases_1[9]) begin
-            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            v1_y_d1 <= add_f24_ftz_unit_y;
-        end
-        if (phases_1[11]) begin
-            u_x_d1 <= add_f24_ftz_unit_y;
-            v2_x_d1 <= add_f24_ftz_unit_copy2_y;
-        end
-        if (phases_1[12]) begin
-            u_y_d1 <= add_f24_ftz_unit_copy2_y;
+        if (phases_1[13]) begin
+            u_x_sum_d1 <= mul_add_f24_ftz_unit_y;
+            u_y_d1 <= add_f24_ftz_unit_y;
+            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
             end_or_near_plane_below_u_z_d1 <= end_or_near_plane_below_u_z;
         end
-        if (phases_1[10]) begin
+        if (phases_1[14]) begin
+            u_y_sum_d1 <= mul_add_f24_ftz_unit_y;
+            attribute_0_out_d1 <= attribute_0_out;
+            attribute_1_out_d1 <= attribute_1_out;
+            attribute_2_out_d1 <= attribute_2_out;
+        end
+        if (phases_1[12]) begin
+            u_z_sum_d1 <= mul_add_f24_ftz_unit_y;
+            u_x_d1 <= add_f24_ftz_unit_y;
+        end
+        if (phases_1[11]) begin
             u_z_d1 <= add_f24_ftz_unit_y;
-            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
+            v2_y_d1 <= mul_add_f24_ftz_unit_y;
         end
         if (phases_2[0]) begin
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
+            v1_y_sum_d1 <= mul_add_f24_ftz_unit_y;
             tangent2_x_d1 <= in_tangent2_x;
-            tangent2_y_d1 <= in_tangent2_y;
         end
+        if (phases_1[15]) begin
+            v1_x_sum_d1 <= mul_add_f24_ftz_unit_y;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
+        end
+        if (phases_1[7]) v1_x_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[8]) v1_y_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[1]) v1_z_sum_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[9]) v1_z_d1 <= mul_add_f24_ftz_unit_y;
         if (phases_3[0]) begin
+            tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
             attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
             attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
             attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
         end
-        if (phases_1[5]) v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-        if (phases_1[1]) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-        if (phases_1[13]) v2_y_d1 <= add_f24_ftz_unit_copy2_y;
-        if (phases_1[6]) v2_z_sum_d1 <= add_f24_ftz_unit_y;
-        if (phases_1[2]) m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-        if (phases_1[14]) begin
-            attribute_0_out_d1 <= attribute_0_out;
-            attribute_1_out_d1 <= attribute_1_out;
-            attribute_2_out_d1 <= attribute_2_out;
-        end
-        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_7, mul_f24_ftz_unit_a_choice_14};
-        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_10, mul_f24_ftz_unit_b_choice_20};
-        mul_f24_ftz_unit_copy2_a <= {mul_f24_ftz_unit_copy2_a_choice_6, mul_f24_ftz_unit_copy2_a_choice_12};
-        mul_f24_ftz_unit_copy2_b <= {mul_f24_ftz_unit_copy2_b_choice_6, mul_f24_ftz_unit_copy2_b_choice_12};
-        add_f24_ftz_unit_a <= {add_f24_ftz_unit_a_choice_9, add_f24_ftz_unit_a_choice_16};
-        add_f24_ftz_unit_b <= {add_f24_ftz_unit_b_choice_10, add_f24_ftz_unit_b_choice_20};
-        add_f24_ftz_unit_copy2_a <= add_f24_ftz_unit_copy2_phase[3] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_copy2_a_choice_2;
-        add_f24_ftz_unit_copy2_b <= add_f24_ftz_unit_copy2_phase_copy2[3] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy2_b_choice_4;
+        if (phases_1[2]) v2_x_sum_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[10]) v2_x_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[3]) v2_y_sum_d1 <= mul_add_f24_ftz_unit_y;
+        if (phases_1[5]) v2_z_sum_d1 <= add_f24_ftz_unit_y;
+        mul_f24_ftz_unit_a <= {mul_f24_ftz_unit_a_choice_5, mul_f24_ftz_unit_a_choice_10};
+        mul_f24_ftz_unit_b <= {mul_f24_ftz_unit_b_choice_8, mul_f24_ftz_unit_b_choice_16};
+        mul_add_f24_ftz_unit_a <= {mul_add_f24_ftz_unit_a_choice_9, mul_add_f24_ftz_unit_a_choice_18};
+        mul_add_f24_ftz_unit_b <= {mul_add_f24_ftz_unit_b_choice_11, mul_add_f24_ftz_unit_b_choice_22};
+        mul_add_f24_ftz_unit_c <= {mul_add_f24_ftz_unit_c_choice_11, mul_add_f24_ftz_unit_c_choice_22};
+        add_f24_ftz_unit_a <= add_f24_ftz_unit_phase[3] ? m20_times_tangent2_x_d1 : add_f24_ftz_unit_a_choice;
+        add_f24_ftz_unit_b <= add_f24_ftz_unit_phase_copy2[3] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_b_choice_2;
     end
 
     wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid, queue_3_in_ready, queue_3_out_valid};
@@ -9611,14 +9500,13 @@ module splat_transform (
     wire check_both_2 = check_both & ((mul_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
     wire check_both_3 = check_both_2 & ((mul_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
     wire check_both_4 = check_both_3 & ((mul_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_5 = check_both_4 & ((mul_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
-    wire check_both_6 = check_both_5 & ((mul_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_7 = check_both_6 & ((mul_f24_ftz_unit_copy2_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_8 = check_both_7 & ((mul_f24_ftz_unit_copy2_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_9 = check_both_8 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]) & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
-    wire check_both_10 = check_both_9 & ((add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
-    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
-    wire check_both_12 = check_both_11 & ((add_f24_ftz_unit_copy2_phase == 4'd0) == phases_1[0]);
+    wire check_both_5 = check_both_4 & ((mul_add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
+    wire check_both_6 = check_both_5 & ((mul_add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]);
+    wire check_both_7 = check_both_6 & ((mul_add_f24_ftz_unit_phase_copy3 == 4'd0) == phases_1[0]);
+    wire check_both_8 = check_both_7 & ((mul_add_f24_ftz_unit_phase_copy4 == 4'd0) == phases_1[0]);
+    wire check_both_9 = check_both_8 & ((mul_add_f24_ftz_unit_phase_copy5 == 4'd0) == phases_1[0]);
+    wire check_both_10 = check_both_9 & ((mul_add_f24_ftz_unit_phase_copy6 == 4'd0) == phases_1[0]);
+    wire check_both_11 = check_both_10 & ((add_f24_ftz_unit_phase == 4'd0) == phases_1[0]);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -9627,7 +9515,7 @@ module splat_transform (
         queue_3_has_a_place_for_each_result: assert (~kept | queue_3_in_ready);
         queue_2_in_step: assert (queue_2_out_valid == out_valid);
         queue_3_in_step: assert (queue_3_out_valid == out_valid);
-        phases_are_in_step: assert (check_both_12 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]));
+        phases_are_in_step: assert (check_both_11 & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]));
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
@@ -9644,7 +9532,7 @@ module splat_transform (
         if (!(queue_3_out_valid == out_valid)) begin
             $display("assertion failed: queue_3_in_step in %m"); $stop;
         end
-        if (!(check_both_12 & ((add_f24_ftz_unit_copy2_phase_copy2 == 4'd0) == phases_1[0]))) begin
+        if (!(check_both_11 & ((add_f24_ftz_unit_phase_copy2 == 4'd0) == phases_1[0]))) begin
             $display("assertion failed: phases_are_in_step in %m"); $stop;
         end
 `endif
@@ -9845,6 +9733,18 @@ module float_lt_s2_f24ftz (
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
+endmodule
+
+// Floating-point sum with products, each of them rounded.
+// format = f24-ftz
+module float_mul_add_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
+    output wire [23:0] y
+);
+    wire [23:0] product_y;
+
+    float_mul_s4_f24ftz product (.clk(clk), .enable(enable), .a(a), .b(b), .y(product_y));
+    float_add_s6_f24ftz sum (.clk(clk), .enable(enable), .a(product_y), .b(c), .y(y));
 endmodule
 
 // Floating-point sum.
