@@ -3550,7 +3550,7 @@ module splat_tile_cache (
     wire may_fill = moving & may_fill_either & (~filling | fills);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
-    wire word_is_cleared_both = clearing_second & ~(changed | frame_leaves | (arrived | forgets));
+    wire word_is_cleared_both = clearing_second & ~(changed | look_is_seen | (arrived | forgets));
     wire word_is_cleared = clearing | word_is_cleared_both;
     wire may_leave = |seen_mask & ~seen_stays;
     wire end_waits_either = looking | |unchanged;

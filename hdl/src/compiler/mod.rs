@@ -2,8 +2,8 @@
 //!
 //! A program is written with [`Program`] and the operators of [`Value`], or built node by node as a [`Graph`].
 //! [`compile`] folds constants and common subexpressions, schedules every operation for the latency of its operator and
-//! the wanted initiation interval, lets operations of one kind share operators, holds values until they are needed, and
-//! wraps the result in `valid`/`ready` streams:
+//! the wanted initiation interval, lets operations of one kind share operators, sums together with their products, holds
+//! values until they are needed, and wraps the result in `valid`/`ready` streams:
 //!
 //! * `in`: ports `in_valid`, `in_ready`, `in_<input>`; one port `<uniform>` each; `out`: `out_valid`, `out_ready`,
 //!   `out_<output>`.

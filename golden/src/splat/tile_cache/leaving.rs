@@ -64,6 +64,11 @@ impl Leaving {
         (self.surface, self.given, self.waits) = (None, false, waits);
     }
 
+    /// What the tile has that is looked at is known.
+    pub const fn is_seen(&self) -> bool {
+        matches!(self.looked_at, Some((_, Look::Seen { .. })))
+    }
+
     /// The tile that is looked at may leave, as soon as its pixels may be asked for.
     pub const fn may_send(&self) -> bool {
         matches!(self.looked_at, Some((_, Look::Seen { may_leave: true, .. })))

@@ -118,7 +118,7 @@ impl TileCache {
 
     /// Clears the next word of the memories; of the second surface in cycles in which nothing else may write.
     fn clear(&mut self) {
-        let writes = self.is_at(JobStep::Changed).is_some() || self.leaving.surface.is_some() || self.pending.writes();
+        let writes = self.is_at(JobStep::Changed).is_some() || self.leaving.is_seen() || self.pending.writes();
         let Some(at) = self.clears.filter(|at| !at.surface || !writes) else { return };
         let word = at.word(self.places());
         self.stored[word] = 0;

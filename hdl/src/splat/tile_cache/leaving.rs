@@ -33,7 +33,7 @@ pub(super) struct Leaving {
     pub place: Reg,
     reading: Reg,
     shown: Reg,
-    seen: Reg,
+    pub seen: Reg,
     pub mask: Reg,
     /// It stays: copies of it are to come, or it is in a slot.
     stays: Reg,

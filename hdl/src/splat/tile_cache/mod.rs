@@ -207,7 +207,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     let is_full = pending.whole.bit(1) | (pending.whole.bit(0) & leaving.given);
     let is_late = state.clearing_second & pending.turns_to_second;
     PORTS.full.drive_word(&mut m, (state.clearing | is_late) | is_full);
-    clear(&mut m, config, &state, clears, (state.changed | leaving.leaves) | pending.writes);
+    clear(&mut m, config, &state, clears, (state.changed | *leaving.seen) | pending.writes);
 
     let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
     let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };
