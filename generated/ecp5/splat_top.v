@@ -7964,12 +7964,12 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_mul_add_f24ftz_v2 mul_mul_add_f24_ftz_unit (
+    mul_mul_add_p5_s6_f24ftz mul_mul_add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
         .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
 
-    float_mul_mul_add_f24ftz_v2 mul_mul_add_f24_ftz_unit_copy2 (
+    mul_mul_add_p5_s6_f24ftz mul_mul_add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_copy2_a), .b(mul_mul_add_f24_ftz_unit_copy2_b),
         .c(mul_mul_add_f24_ftz_unit_copy2_c), .d(mul_mul_add_f24_ftz_unit_copy2_d),
         .y(mul_mul_add_f24_ftz_unit_copy2_y)
@@ -9933,8 +9933,10 @@ module float_sqrt_s18_f24ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 5
+// sum_stages = 6
 // format = f24-ftz
-module float_mul_mul_add_f24ftz_v2 (
+module mul_mul_add_p5_s6_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
     input  wire [23:0] d,
     output wire [23:0] y
@@ -10488,12 +10490,12 @@ module splat_transform (
     assign {out_tangent1_z, out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1} = queue_2_out_data;
     assign {out_attribute_2, out_attribute_3, out_attribute_4, out_attribute_5, out_cardinal_0} = queue_3_out_data;
 
-    float_mul_mul_add_f24ftz mul_mul_add_f24_ftz_unit (
+    mul_mul_add_p4_s6_f24ftz mul_mul_add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
         .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
 
-    float_mul_add_f24ftz mul_add_f24_ftz_unit (
+    mul_add_p4_s6_f24ftz mul_add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_add_f24_ftz_unit_a), .b(mul_add_f24_ftz_unit_b),
         .c(mul_add_f24_ftz_unit_c), .y(mul_add_f24_ftz_unit_y)
     );
@@ -10982,8 +10984,10 @@ module float_lt_s2_f24ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 4
+// sum_stages = 6
 // format = f24-ftz
-module float_mul_add_f24ftz (
+module mul_add_p4_s6_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
     output wire [23:0] y
 );
@@ -10994,8 +10998,10 @@ module float_mul_add_f24ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 4
+// sum_stages = 6
 // format = f24-ftz
-module float_mul_mul_add_f24ftz (
+module mul_mul_add_p4_s6_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
     input  wire [23:0] d,
     output wire [23:0] y

@@ -9258,58 +9258,58 @@ module splat_setup (
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_a), .b(mul_mul_add_f32_ftz_unit_b),
         .c(mul_mul_add_f32_ftz_unit_c), .d(mul_mul_add_f32_ftz_unit_d), .y(mul_mul_add_f32_ftz_unit_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy2 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy2_a), .b(mul_mul_add_f32_ftz_unit_copy2_b),
         .c(mul_mul_add_f32_ftz_unit_copy2_c), .d(mul_mul_add_f32_ftz_unit_copy2_d),
         .y(mul_mul_add_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy3 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy3_a), .b(mul_mul_add_f32_ftz_unit_copy3_b),
         .c(mul_mul_add_f32_ftz_unit_copy3_c), .d(mul_mul_add_f32_ftz_unit_copy3_d),
         .y(mul_mul_add_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy4 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy4_a), .b(mul_mul_add_f32_ftz_unit_copy4_b),
         .c(mul_mul_add_f32_ftz_unit_copy4_c), .d(mul_mul_add_f32_ftz_unit_copy4_d),
         .y(mul_mul_add_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy5 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy5_a), .b(mul_mul_add_f32_ftz_unit_copy5_b),
         .c(mul_mul_add_f32_ftz_unit_copy5_c), .d(mul_mul_add_f32_ftz_unit_copy5_d),
         .y(mul_mul_add_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy6 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy6_a), .b(mul_mul_add_f32_ftz_unit_copy6_b),
         .c(mul_mul_add_f32_ftz_unit_copy6_c), .d(mul_mul_add_f32_ftz_unit_copy6_d),
         .y(mul_mul_add_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_mul_add_f32ftz mul_mul_add_f32_ftz_unit_copy7 (
+    mul_mul_add_p6_s6_f32ftz mul_mul_add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f32_ftz_unit_copy7_a), .b(mul_mul_add_f32_ftz_unit_copy7_b),
         .c(mul_mul_add_f32_ftz_unit_copy7_c), .d(mul_mul_add_f32_ftz_unit_copy7_d),
         .y(mul_mul_add_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_add_f32ftz mul_add_f32_ftz_unit (
+    mul_add_p6_s6_f32ftz mul_add_f32_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_a), .b(mul_add_f32_ftz_unit_b),
         .c(mul_add_f32_ftz_unit_c), .y(mul_add_f32_ftz_unit_y)
     );
 
-    float_mul_add_f32ftz mul_add_f32_ftz_unit_copy2 (
+    mul_add_p6_s6_f32ftz mul_add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_copy2_a), .b(mul_add_f32_ftz_unit_copy2_b),
         .c(mul_add_f32_ftz_unit_copy2_c), .y(mul_add_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_add_f32ftz mul_add_f32_ftz_unit_copy3 (
+    mul_add_p6_s6_f32ftz mul_add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_copy3_a), .b(mul_add_f32_ftz_unit_copy3_b),
         .c(mul_add_f32_ftz_unit_copy3_c), .y(mul_add_f32_ftz_unit_copy3_y)
     );
@@ -11706,8 +11706,10 @@ module float_sqrt_s26_f32ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 6
+// sum_stages = 6
 // format = f32-ftz
-module float_mul_add_f32ftz (
+module mul_add_p6_s6_f32ftz (
     input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
     output wire [31:0] y
 );
@@ -11718,8 +11720,10 @@ module float_mul_add_f32ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 6
+// sum_stages = 6
 // format = f32-ftz
-module float_mul_mul_add_f32ftz (
+module mul_mul_add_p6_s6_f32ftz (
     input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
     input  wire [31:0] d,
     output wire [31:0] y

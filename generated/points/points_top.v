@@ -2911,7 +2911,7 @@ module process_finish (
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_add_f32ftz mul_add_f32_ftz_unit (
+    mul_add_p5_s6_f32ftz mul_add_f32_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_add_f32_ftz_unit_a), .b(mul_add_f32_ftz_unit_b),
         .c(mul_add_f32_ftz_unit_c), .y(mul_add_f32_ftz_unit_y)
     );
@@ -4105,8 +4105,10 @@ module float_rsqrt_s26_f32ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 5
+// sum_stages = 6
 // format = f32-ftz
-module float_mul_add_f32ftz (
+module mul_add_p5_s6_f32ftz (
     input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b, input wire [31:0] c,
     output wire [31:0] y
 );

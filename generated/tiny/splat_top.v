@@ -7025,7 +7025,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_mul_add_f24ftz mul_mul_add_f24_ftz_unit (
+    mul_mul_add_p5_s6_f24ftz mul_mul_add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_mul_add_f24_ftz_unit_a), .b(mul_mul_add_f24_ftz_unit_b),
         .c(mul_mul_add_f24_ftz_unit_c), .d(mul_mul_add_f24_ftz_unit_d), .y(mul_mul_add_f24_ftz_unit_y)
     );
@@ -8785,8 +8785,10 @@ module float_sqrt_s18_f24ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 5
+// sum_stages = 6
 // format = f24-ftz
-module float_mul_mul_add_f24ftz (
+module mul_mul_add_p5_s6_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
     input  wire [23:0] d,
     output wire [23:0] y
@@ -9351,7 +9353,7 @@ module splat_transform (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b), .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_add_f24ftz mul_add_f24_ftz_unit (
+    mul_add_p4_s6_f24ftz mul_add_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(mul_add_f24_ftz_unit_a), .b(mul_add_f24_ftz_unit_b),
         .c(mul_add_f24_ftz_unit_c), .y(mul_add_f24_ftz_unit_y)
     );
@@ -9736,8 +9738,10 @@ module float_lt_s2_f24ftz (
 endmodule
 
 // Floating-point sum with products, each of them rounded.
+// product_stages = 4
+// sum_stages = 6
 // format = f24-ftz
-module float_mul_add_f24ftz (
+module mul_add_p4_s6_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b, input wire [23:0] c,
     output wire [23:0] y
 );

@@ -48,8 +48,9 @@ impl Compound {
 
     /// The operator, made of a multiplier and an adder of the format. It takes an addend when it has the product.
     pub(super) fn operator(self, format: Format, multiplier: &Operator, adder: &Operator) -> Operator {
-        let name = format!("float_{}", self.mnemonic());
-        let mut module = Module::new(&name, "Floating-point sum with products, each of them rounded.");
+        let mut module = Module::new(self.mnemonic(), "Floating-point sum with products, each of them rounded.");
+        module.variant("product_stages", multiplier.latency);
+        module.variant("sum_stages", adder.latency);
         module.variant("format", format);
         let enable = module.input("enable", 1);
         let ports = OPERAND_PORTS[..self.operands()].iter();

@@ -86,7 +86,7 @@ fn sums_and_their_products_share_operators() {
     }
     let compounds = |program: &Program, interval: u32| {
         let design = design(&at(program, interval));
-        ["float_mul", "float_add", "float_mul_mul_add", "float_mul_add"].map(|unit| instances(&design, unit))
+        ["float_mul", "float_add", "mul_mul_add", "mul_add"].map(|unit| instances(&design, unit))
     };
     assert_eq!(compounds(&p, 1), [16, 8, 0, 0]);
     assert_eq!(compounds(&p, 2), [8, 4, 4, 0]);
