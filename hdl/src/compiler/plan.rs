@@ -114,10 +114,8 @@ impl Plan {
             plan.timing.push(timing);
         }
         for class in &mut plan.classes {
-            class.instances = match class.is_shared {
-                true => class.operations.div_ceil(initiation_interval),
-                false => class.operations,
-            };
+            let operations_each = if class.is_shared { initiation_interval } else { 1 };
+            class.instances = class.operations.div_ceil(operations_each);
             class.ways = class.operations.div_ceil(class.instances);
             class.operand_registers = class.ways > 1;
         }

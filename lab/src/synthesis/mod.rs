@@ -147,9 +147,7 @@ impl Synthesizer {
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
                 if options == ROUTE_OTHERWISE {
-                    // What a placed design says of its router outweighs the argument.
-                    let design = read(&start.join(netlist))?;
-                    write(&copy, &design.replacen(USUAL_ROUTER, OTHER_ROUTER, 1))?;
+                    write(&copy, &with_other_router(&read(&start.join(netlist))?))?;
                 } else {
                     fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 }
@@ -181,6 +179,11 @@ impl Synthesizer {
         timing::parse(&read(&routed?.0.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
+}
+
+/// A placed design that is to be routed by nextpnr's other router: what it says of its router outweighs the argument.
+fn with_other_router(design: &str) -> String {
+    design.replacen(USUAL_ROUTER, OTHER_ROUTER, 1)
 }
 
 /// A unit in its shell. Its Verilog has no comments: what explains the hardware does not age what was measured of it.
@@ -251,6 +254,16 @@ fn write(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_placed_design_is_given_to_the_other_router() {
+        // As nextpnr 0.11 writes it.
+        let placed = "{\n  \"modules\": {\n    \"top\": {\n      \"settings\": {\n        \"seed\": \"0101\",\n        \"router\": \"router1\",\n        \"placer\": \"static\"\n      }\n    }\n  }\n}";
+        let design: serde_json::Value = serde_json::from_str(&with_other_router(placed)).expect("it stays JSON");
+        let settings = &design["modules"]["top"]["settings"];
+        assert_eq!([&settings["router"], &settings["placer"], &settings["seed"]], ["router2", "static", "0101"]);
+        assert!(ROUTE_OTHERWISE.contains(&"router2"), "and the arguments, by which results are kept, say so");
+    }
 
     #[test]
     fn what_a_device_cannot_hold_is_said_before_it_is_placed() {

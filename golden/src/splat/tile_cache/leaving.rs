@@ -64,7 +64,7 @@ impl Leaving {
         (self.surface, self.given, self.waits) = (None, false, waits);
     }
 
-    /// What the tile has that is looked at is known.
+    /// The mask of the tile that is looked at is known.
     pub const fn is_seen(&self) -> bool {
         matches!(self.looked_at, Some((_, Look::Seen { .. })))
     }
