@@ -6,7 +6,7 @@
 //! cycle after the one that makes `depth` items and rises in the cycle after a pop. Rate: one item a cycle.
 
 use super::item_width;
-use rtl::{Expr, Module, Reg, address_width, lit};
+use rtl::{Expr, Module, Reg, address_width, cat, lit};
 
 /// Where the items are.
 enum Storage {
@@ -37,46 +37,64 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
     let input = m.packed_in("in", layout);
 
     let address_bits = address_width(depth);
-    let count_bits = address_width(depth + 1);
-    // Items in the queue, and those of them that wait in the memory.
-    let held = m.reg_reset("held", count_bits, 0);
-    let waiting = m.reg_reset("waiting", count_bits, 0);
+    // Items in the queue, and those of them that wait in the memory. What they are to become is known before it is known whether
+    // they change: who takes an item may tell late.
+    let held = Count::new(&mut m, "held", depth);
+    let waiting = Count::new(&mut m, "waiting", depth);
+    let is_full = m.reg_reset("is_full", 1, 0);
+    let any_waits = m.reg_reset("any_waits", 1, 0);
     let write_address = m.reg_reset("write_address", address_bits, 0);
     let read_address = m.reg_reset("read_address", address_bits, 0);
     let out_valid = m.reg_reset("out_valid", 1, 0);
 
-    let is_full = if depth.is_power_of_two() { held.msb() } else { held.eq_lit(depth as u128) };
-    let has_room = m.wire("has_room", !is_full);
-    m.drive(input.ready, has_room);
+    m.drive(input.ready, !is_full);
     let push = m.wire("push", input.transfer());
     let entries = match storage {
         Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
-    m.write(entries, push, write_address, input.data);
+    // What is there when nothing is pushed is written over.
+    m.write(entries, !is_full, write_address, input.data);
 
     let out_ready = m.forward("out_taken", 1);
     let pop = m.wire("pop", out_valid & out_ready);
-    let fetch = m.wire("fetch", waiting.any() & (!out_valid | out_ready));
+    let fetch = m.wire("fetch", any_waits & (!out_valid | out_ready));
     let item = m.read_if(entries, "item", fetch, read_address);
     m.next(out_valid, fetch | (out_valid & !out_ready));
 
-    m.next(held, moved(held, push, pop));
-    m.next(waiting, moved(waiting, push, fetch));
+    held.moves(&mut m, push, pop);
+    waiting.moves(&mut m, push, fetch);
+    m.next_if(is_full, push ^ pop, push & held.is(depth - 1));
+    m.next_if(any_waits, push ^ fetch, push | !waiting.is(1));
     advance(&mut m, write_address, push, depth);
     advance(&mut m, read_address, fetch, depth);
-    m.assert("held_in_range", lit(count_bits, depth as u128).ge(held));
-    m.assert("held_is_waiting_and_shown", held.eq(waiting + out_valid.zext(count_bits)));
+    let [held, waiting] = [held, waiting].map(|count| count.0.expr());
+    m.assert("held_in_range", lit(held.width(), depth as u128).ge(held));
+    m.assert("held_is_waiting_and_shown", held.eq(waiting + out_valid.zext(held.width())));
+    m.assert("full_and_waiting_are_told", is_full.eq(held.eq_lit(depth as u128)) & any_waits.eq(waiting.any()));
 
     let ready = m.packed_out("out", out_valid, item, layout);
     m.drive(out_ready, ready);
     m
 }
 
-/// A count after one more, one less, or both.
-fn moved(count: Reg, up: Expr, down: Expr) -> Expr {
-    let width = count.width();
-    count + up.zext(width) - down.zext(width)
+/// A count of up to `depth` items.
+struct Count(Reg);
+
+impl Count {
+    fn new(m: &mut Module, name: &str, depth: u32) -> Self {
+        Self(m.reg_reset(name, address_width(depth + 1), 0))
+    }
+
+    fn is(&self, items: u32) -> Expr {
+        self.0.eq_lit(items.into())
+    }
+
+    /// One more, one less, or both.
+    fn moves(&self, m: &mut Module, up: Expr, down: Expr) {
+        let less = (!up).repeat(self.0.width() - 1);
+        m.next_if(self.0, up ^ down, self.0 + cat([less, lit(1, 1)]));
+    }
 }
 
 /// An address that goes round.
