@@ -49,12 +49,11 @@ fn is_beyond(place: Expr) -> Expr {
     place.bits(place.width() - 2, DIAGONAL_BITS).any()
 }
 
-/// When the splitter begins with a splat, goes to the next tile, and whether that is the first one of a row; and what registers take
-/// then, which is known before: what arrives, or the first tile of a row.
+/// When the splitter may go to a tile, and to the first one of a row; and what registers take then, which is known before: what arrives,
+/// or the first tile of a row.
 struct Steps {
-    take: Expr,
     moves: Expr,
-    wraps: Expr,
+    turns: Expr,
     takes_arriving: Expr,
     takes_row: Expr,
 }
@@ -62,19 +61,26 @@ struct Steps {
 /// Bits of a row that is counted from 16 above the tile, so that those which limits lead to have no sign.
 const ROW_BITS: u32 = DIAGONAL_BITS + 1;
 
-/// What the octagon has of the current tile, from [`first_within`] and [`last_within`].
+/// What the octagon has of the current tile, from [`first_within`] and [`last_within`]. Rows are sums of these, of those inverted and of
+/// single bits, all of which come out of registers.
 struct Diagonals {
     first_sum: Expr,
     last_sum: Expr,
-    first_difference: Expr,
     last_difference: Expr,
+    not_first_difference: Expr,
+    not_last_difference: Expr,
+    /// Neither sum has the bit that a tile's size is.
+    not_half: [Expr; 2],
+    last_sum_not_negative: Expr,
+    /// It has that bit, and no sign.
+    last_sum_over_half: Expr,
 }
 
 impl Diagonals {
     /// Registers, found while the splitter comes to the tile: of a splat's first tile from what arrives, of others from what they were for
     /// the tile before, or at the beginning of its row.
     fn new(m: &mut Module, config: &Config, arriving: &SetupSplat<Wires>, steps: &Steps) -> Self {
-        let Steps { take, moves, wraps, takes_arriving, takes_row } = *steps;
+        let Steps { moves, turns, takes_arriving, takes_row } = *steps;
         // One beyond, and a sign.
         let width = config.diagonal_bits() + 2;
         let tile_pixels = u128::from(TILE_SIZE / config.sampling.columns());
@@ -85,42 +91,51 @@ impl Diagonals {
             pixel_bits => cat([left, lit(pixel_bits, 0)]).zext(width),
         };
         let row = tile_of(arriving.bounds.top);
-        let origin = |row: Expr| column + cat([row, lit(LOCAL_BITS, 0)]).zext(width);
+        // A limit less the origin of the tile's column and row: three numbers become two bit by bit, so that but one sum carries.
+        let from_origin = |limit: Expr, row: Expr| {
+            let [limit, column, row] = [limit.zext(width), !column, !cat([row, lit(LOCAL_BITS, 0)]).zext(width)];
+            let carries = (limit & column) | (limit & row) | (column & row);
+            (limit ^ column ^ row) - !cat([carries.trunc(width - 1), lit(1, 1)])
+        };
         let sums = |place: Expr| place.sub_lit(TILE_SIZE.into());
         let differences = |place: Expr| place.add_lit(TILE_SIZE.into());
         let limits = arriving.diagonals;
-        let mut register =
-            |name: &str, limit: Expr, origin: Expr, below: fn(Expr) -> Expr, within: fn(Expr) -> Expr| {
-                let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
-                let first = limit.zext(width) - origin;
-                let below = below(row_begins.expr());
-                m.next_if(row_begins, take | wraps, takes_arriving.mux(first, below));
-                let next = m.wire(
-                    &format!("{name}_next"),
-                    takes_arriving.mux(first, takes_row.mux(below, here.sub_lit(tile_pixels))),
-                );
-                m.next_if(here, moves, next);
-                held(m, name, moves, within(next))
-            };
-        let [sum, difference] = [row, !row].map(origin);
+        let mut limit = |name: &str, limit: Expr, row: Expr, below: fn(Expr) -> Expr, within: fn(Expr) -> Expr| {
+            let [here, row_begins] = ["here", "row_begins"].map(|at| m.reg(&format!("{name}_{at}"), width));
+            let first = m.wire(&format!("{name}_arrives"), from_origin(limit, row));
+            let below = below(row_begins.expr());
+            m.next_if(row_begins, turns, takes_arriving.mux(first, below));
+            let moved = takes_row.mux(below, here.sub_lit(tile_pixels));
+            let moved = m.wire(&format!("{name}_moved"), moved);
+            m.next_if(here, moves, takes_arriving.mux(first, moved));
+            // Of both before one is chosen: what arrives comes late.
+            takes_arriving.mux(within(first), within(moved))
+        };
+        let first_sum = limit("first_sum", limits.first_sum, row, sums, first_within);
+        let last_sum = limit("last_sum", limits.last_sum, row, sums, last_within);
+        let first_difference = limit("first_difference", limits.first_difference, !row, differences, first_within);
+        let last_difference = limit("last_difference", limits.last_difference, !row, differences, last_within);
+        let mut register = |name: &str, value: Expr| held(m, name, moves, value);
+        let half = LOCAL_BITS;
         Self {
-            first_sum: register("first_sum", limits.first_sum, sum, sums, first_within),
-            last_sum: register("last_sum", limits.last_sum, sum, sums, last_within),
-            first_difference: register(
-                "first_difference",
-                limits.first_difference,
-                difference,
-                differences,
-                first_within,
-            ),
-            last_difference: register("last_difference", limits.last_difference, difference, differences, last_within),
+            first_sum: register("first_sum", first_sum),
+            last_sum: register("last_sum", last_sum),
+            last_difference: register("last_difference", last_difference),
+            not_first_difference: register("not_first_difference", !first_difference),
+            not_last_difference: register("not_last_difference", !last_difference),
+            not_half: [
+                register("first_sum_not_half", !first_sum.bit(half)),
+                register("last_sum_not_half", !last_sum.bit(half)),
+            ],
+            last_sum_not_negative: register("last_sum_not_negative", !last_sum.msb()),
+            last_sum_over_half: register("last_sum_over_half", last_sum.bit(half) & !last_sum.msb()),
         }
     }
 
     /// What limits the rows that have a pixel between the edges' columns, from above and from below: in others, one of what limits a row
     /// from the left lies behind one of what limits it from the right. Each is a single sum, for −a is !a + 1, and a tile's size is a bit.
     fn rows(&self, edges: &TileRectangle<Wires>, config: &Config) -> [[Expr; 4]; 2] {
-        let Self { first_sum, last_sum, first_difference, last_difference } = *self;
+        let Self { first_sum, last_sum, last_difference, not_first_difference, not_last_difference, .. } = *self;
         let pixel = |column: Expr| match config.sampling.columns().ilog2() {
             LOCAL_BITS => lit(LOCAL_BITS, 0),
             sample_bits => column.bits(LOCAL_BITS - 1, sample_bits).zext(LOCAL_BITS),
@@ -129,23 +144,28 @@ impl Diagonals {
         let one = lit(1, 1);
         let row = |place: Expr| cat([one, place.zext(DIAGONAL_BITS)]);
         // Of a place that has a sign, and of a column and a tile's size.
-        let signed = |place: Expr| cat([!place.msb(), place.trunc(DIAGONAL_BITS)]);
+        let signed = cat([self.last_sum_not_negative, last_sum.trunc(DIAGONAL_BITS)]);
         let from_below = |column: Expr| cat([one, one, column]);
+        let without_sign = |inverted: Expr, bits: u32| cat([one.repeat(bits - inverted.width()), inverted]);
         let wide = |place: Expr| place.zext(ROW_BITS);
         // A place and a tile's size, which carries.
-        let larger = |carry: Expr, place: Expr| cat([one, carry, !place.bit(LOCAL_BITS), place.trunc(LOCAL_BITS)]);
+        let larger = |carry: Expr, not_half: Expr, place: Expr| cat([one, carry, not_half, place.trunc(LOCAL_BITS)]);
+        let [first_sum_not_half, last_sum_not_half] = self.not_half;
         let half = |sum: Expr| sum.bits(ROW_BITS, 1);
         let tops = [
             row(edges.top),
             row(first_sum) - wide(last),
-            from_below(first) + !last_difference,
-            half(larger(first_sum.msb(), first_sum) - last_difference.sext(ROW_BITS + 1)),
+            from_below(first) + not_last_difference,
+            half(larger(first_sum.msb(), first_sum_not_half, first_sum) - last_difference.sext(ROW_BITS + 1)),
         ];
         let bottoms = [
             row(edges.bottom),
-            signed(last_sum) - wide(first),
-            from_below(last) + !wide(first_difference),
-            half(larger(last_sum.bit(LOCAL_BITS) & !last_sum.msb(), last_sum) + !first_difference.zext(ROW_BITS + 1)),
+            signed - wide(first),
+            from_below(last) + without_sign(not_first_difference, ROW_BITS),
+            half(
+                larger(self.last_sum_over_half, last_sum_not_half, last_sum)
+                    + without_sign(not_first_difference, ROW_BITS + 1),
+            ),
         ];
         [tops, bottoms]
     }
@@ -154,7 +174,7 @@ impl Diagonals {
         TileDiagonals {
             first_sum: self.first_sum,
             last_sum: self.last_sum.trunc(DIAGONAL_BITS),
-            first_difference: self.first_difference,
+            first_difference: !self.not_first_difference,
             last_difference: self.last_difference.trunc(DIAGONAL_BITS),
         }
     }
@@ -171,7 +191,7 @@ struct Walk {
     /// The current tile is its row's last.
     right_most: Expr,
     /// The next tile begins a row.
-    wraps: Expr,
+    turns: Expr,
     /// The next tile is the last.
     reaches_last: Expr,
 }
@@ -182,12 +202,10 @@ impl Walk {
         m: &mut Module,
         config: &Config,
         [arriving, bounds]: [&ImageRectangle<Wires>; 2],
-        [take, step, takes_arriving]: [Expr; 3],
+        [moves, takes_arriving]: [Expr; 2],
     ) -> Self {
         let [right_most, bottom_most] = ["right_most", "bottom_most"].map(|name| m.reg(name, 1));
-        let wraps = m.wire("wraps", step & right_most);
-        let moves = take | step;
-        let turns = take | wraps;
+        let turns = m.wire("turns", moves & (takes_arriving | right_most));
         let column_bits = config.column_bits() - LOCAL_BITS;
         let [column, row] =
             [("column", column_bits), ("row", config.tile_row_bits())].map(|(name, bits)| m.reg(name, bits));
@@ -228,7 +246,7 @@ impl Walk {
             edges,
             single: one_column & one_row,
             right_most: *right_most,
-            wraps,
+            turns,
             reaches_last,
         }
     }
@@ -251,20 +269,19 @@ pub fn module(config: &Config) -> Module {
     let open = m.reg_reset("open", 1, 1);
     let ready = m.wire("ready", out.room & open);
     m.drive(input.ready, ready);
-    let take = m.wire("take", ready & input.valid);
     let step = m.wire("step", out.room & busy);
     let arriving = input.record;
     let splat = arriving.register(&mut m, config, "splat_", ready);
     let bounds = splat.bounds;
 
-    let moves = m.wire("moves", take | step);
-    m.next(busy, take | (busy & !(step & open)));
-    let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [take, step, *open]);
-    let arrives = open & input.valid;
-    m.next_if(open, moves, arrives.mux(arriving.end | walk.single, open | walk.reaches_last));
+    // While it is open and none is there, registers may take what they will: so what they take does not wait for who offers it.
+    let moves = out.room;
+    m.next_if(busy, moves, open.mux(input.valid, *busy));
+    let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [moves, *open]);
+    let ends = arriving.end | walk.single;
+    m.next_if(open, moves, open.mux(!input.valid | ends, walk.reaches_last));
     let edges = walk.edges;
-    // While it is open and none is there, registers may take what they will.
-    let steps = Steps { take, moves, wraps: walk.wraps, takes_arriving: *open, takes_row: walk.right_most };
+    let steps = Steps { moves, turns: walk.turns, takes_arriving: *open, takes_row: walk.right_most };
     let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
     let [tops, bottoms] = diagonals.rows(&edges, config);
     // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
@@ -273,7 +290,7 @@ pub fn module(config: &Config) -> Module {
     let occupied = m.wire("occupied", splat.end | none_behind.expect("there are pairs"));
     let push = m.wire("push", step & occupied);
     let first = m.reg("first", 1);
-    m.next(first, take | (first & !push));
+    m.next(first, (moves & open) | (first & !push));
     let top = extreme(tops, |top, other| top.ge(other)).trunc(LOCAL_BITS);
     let bottom = extreme(bottoms, |bottom, other| other.ge(bottom)).trunc(LOCAL_BITS);
     let copy = SplatCopy {
