@@ -18,7 +18,7 @@ use pointcore_contract::splat::units::accumulator::PORTS;
 use pointcore_contract::width;
 
 use crate::stream::{fifo, fifo_distributed};
-use crate::units::ports::{Flow, OutputPorts, PulseOutPorts, StreamInPorts, WordPort, held};
+use crate::units::ports::{Flow, OutputPorts, PulseOutPorts, StreamInPorts, WordPort};
 use crate::units::queue::{Head, Pushed};
 use crate::units::wires::{Bundle, Wires, layout};
 use blend::blend;
@@ -183,9 +183,6 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     };
     let reads = slots::show_precedence(&mut m, &accesses);
     let is_written = slots::masks(&mut m, config, &ports.change, &accesses);
-    let is_written = ["is_written_1", "is_written_2"]
-        .into_iter()
-        .fold(is_written, |is_written, name| held(&mut m, name, bit(true), is_written));
     let banks = slots::banks(&mut m, config, pixels, &ports, &accesses);
     slots::show_drained(&mut m, config, &ports.drain, reads, &banks);
     let stored = m.reg("stored", pixel_bits);

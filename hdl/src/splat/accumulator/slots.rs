@@ -12,6 +12,9 @@ use rtl::{Expr, Module, bit, cat, lit};
 
 /// Pixels of a tile in a bank.
 const BANK_PIXELS: u32 = TILE_PIXELS / SLOT_BANKS;
+/// Bits of a pixel's place among them, and of its place among those that are near it.
+const PLACE_BITS: u32 = BANK_PIXELS.ilog2();
+const NEAR_BITS: u32 = 2;
 
 /// The ports through which the tile cache reaches the slots.
 pub(super) struct SlotPorts {
@@ -140,7 +143,7 @@ pub(super) fn show_drained(
 }
 
 /// Which pixels of each slot are written and dirty, bank by bank: a sample that issues marks its own, and a slot that changes begins
-/// anew. Returns whether the head's pixel is written.
+/// anew. Returns whether the head's pixel is written, two cycles later.
 pub(super) fn masks(m: &mut Module, config: &Config, change: &Pulse<SlotChange<Wires>>, accesses: &Accesses) -> Expr {
     let Accesses { reads, issues, read, .. } = *accesses;
     let SlotChange { slot, banks, held: comes } = change.record;
@@ -158,10 +161,17 @@ pub(super) fn masks(m: &mut Module, config: &Config, change: &Pulse<SlotChange<W
         let written = word.bits(2 * BANK_PIXELS - 1, BANK_PIXELS);
         let before = [("written", written), ("dirty", word.trunc(BANK_PIXELS))];
         let before = before.map(|(name, half)| held(m, &format!("bank_{number}_was_{name}"), changes, half));
-        (before, written.shr_by(place).bit(0))
+        // One of so many bits is chosen in two steps, a register behind each.
+        let high = place.bits(PLACE_BITS - 1, NEAR_BITS);
+        let near = m
+            .wire(&format!("bank_{number}_near"), written.shr_by(cat([high, lit(NEAR_BITS, 0)])).trunc(1 << NEAR_BITS));
+        (before, held(m, &format!("bank_{number}_was_near"), bit(true), near))
     };
-    let (before, is_written): (Vec<_>, Vec<_>) = (0..SLOT_BANKS).map(&mut bank_masks).unzip();
+    let (before, near): (Vec<_>, Vec<_>) = (0..SLOT_BANKS).map(&mut bank_masks).unzip();
     let [written, dirty] = [0, 1].map(|which| whole(&before.iter().map(|halves| halves[which]).collect::<Vec<_>>()));
     PORTS.masks.drive(m, config, SlotMasks { written, dirty });
-    bank(read.pixel).pick(is_written)
+    let [near_place, of_bank] = [("near_place", place.trunc(NEAR_BITS)), ("near_bank", bank(read.pixel))]
+        .map(|(name, value)| held(m, name, bit(true), value));
+    let is_written = of_bank.pick(near.into_iter().map(|near| near.shr_by(near_place).bit(0)));
+    held(m, "is_written", bit(true), is_written)
 }

@@ -34,6 +34,7 @@ pub(super) struct Leaving {
     reading: Reg,
     shown: Reg,
     pub seen: Reg,
+    /// Its mask, and above that whether it has a bit.
     pub mask: Reg,
     /// It stays: copies of it are to come, or it is in a slot.
     stays: Reg,
@@ -79,7 +80,7 @@ impl Leaving {
             reading: m.reg_reset("look_reads", 1, 0),
             shown: m.reg_reset("look_is_shown", 1, 0),
             seen: m.reg_reset("look_is_seen", 1, 0),
-            mask: m.reg("seen_mask", TILE_PIXELS),
+            mask: m.reg("seen_mask", TILE_PIXELS + 1),
             stays: m.reg("seen_stays", 1),
         }
     }
@@ -96,7 +97,7 @@ impl Leaving {
 
     /// States how the registers change; tiles of which the memory holds all come from `waiting`.
     pub fn update(&self, m: &mut Module, config: &Config, around: &Surroundings, waiting: &Flow<Gone<Wires>>) -> Steps {
-        let may_leave = m.wire("may_leave", self.mask.any() & !self.stays);
+        let may_leave = m.wire("may_leave", self.mask.msb() & !self.stays);
         let sends = m.wire("sends", (self.seen & may_leave) & (around.may_want & !around.writes_taken));
         let idle = m.wire("looks_at_none", !(self.reading | (self.shown | self.seen)));
         let is_over = (self.given & !self.any_next) & !waiting.valid;

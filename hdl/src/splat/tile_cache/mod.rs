@@ -112,6 +112,11 @@ fn follow_job(
     JobSteps { change, done }
 }
 
+/// A mask, and above it whether it has a bit: known where a mask is written, not counted from what block memory shows late.
+fn with_any(mask: Expr) -> Expr {
+    cat([mask.any(), mask])
+}
+
 /// The memory of masks: by surface and tile, which pixels the reconstruction buffer holds; `misses` reads that of the `tile` that comes,
 /// and `written` becomes that of the one that goes.
 fn stored_masks(
@@ -125,12 +130,12 @@ fn stored_masks(
     let words = 1 << (SURFACE_BITS + config.place_bits());
     let word = |tile: Expr| cat([state.surface.expr(), share::place(config, tile)]);
     let looked_at = cat([leaving.surface(state), *leaving.place]);
-    let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS);
+    let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS + 1);
     let shown = m.read(masks, "stored_mask", misses.mux(word(tile), looked_at));
     m.next_if(state.mask, state.looking, shown);
 
     let goes = m.wire("mask_is_kept", state.changed & state.goes);
-    let kept = goes.repeat(TILE_PIXELS) & written;
+    let kept = goes.repeat(TILE_PIXELS + 1) & with_any(written);
     let address = clears.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
     m.write(masks, (goes | clears) | sends, address, kept);
     StoredMasks { shown, goes, looked_at }
@@ -209,7 +214,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     PORTS.full.drive_word(&mut m, (state.clearing | is_late) | is_full);
     clear(&mut m, config, &state, clears, (state.changed | *leaving.seen) | pending.writes);
 
-    let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
+    let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask.trunc(TILE_PIXELS));
     let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };
     PORTS.change.drive(&mut m, config, state.unchanged.any(), change);
     let sample_reads = PORTS.sample_reads.declare_word(&mut m, SLOT_BANKS);
@@ -243,9 +248,9 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
     m.next_if(state.wanted_tile, begins, leaves.sends.mux(leaving_tile, *state.tile));
     let moves = Begins {
         asks: begins,
-        mask: leaves.sends.mux(*leaving.mask, *state.mask),
+        mask: leaves.sends.mux(*leaving.mask, *state.mask).trunc(TILE_PIXELS),
         // A tile that leaves has pixels, so its mask is not looked at.
-        any_asked: leaves.sends | state.mask.any(),
+        any_asked: leaves.sends | state.mask.msb(),
         drains: state.changed & state.goes,
         dirty: masks.dirty,
         closes: leaves.closes,

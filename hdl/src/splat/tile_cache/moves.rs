@@ -81,7 +81,9 @@ fn take(
     let vacated = state.leaving.is_empty() | state.leaving.is_behind(row);
     let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
     let fills = m.wire("fills", state.filling & !is_in(*state.taken_banks, *fill_pixel));
-    let may_fill = m.wire("may_fill", (state.moving & vacated) & (!state.filling | fills));
+    // While none waits the registers may take what they will: their enables do not wait for who has data.
+    let is_free = m.wire("fill_is_free", !state.filling | fills);
+    let may_fill = m.wire("may_fill", (state.moving & vacated) & is_free);
     let takes = m.wire("takes_data", asked.valid & run.leaves.mux(pixel.room, may_fill));
     m.drive(data.ready, takes);
     let beat = m.wire("beat", takes & data.valid);
@@ -92,8 +94,8 @@ fn take(
 
     let fill = beat & !run.leaves;
     m.next(state.filling, fill | (state.filling & !fills));
-    m.next_if(fill_pixel, fill, place);
-    let value = data.record.register(m, config, "fill_", fill);
+    m.next_if(fill_pixel, is_free, place);
+    let value = data.record.register(m, config, "fill_", is_free);
     let filled = SlotPixel { slot: *state.slot, pixel: *fill_pixel };
     PORTS.fill.drive(m, config, *state.filling, Fill { place: filled, value });
 

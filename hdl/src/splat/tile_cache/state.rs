@@ -16,7 +16,7 @@ pub(super) struct State {
     pub cleared: Reg,
     /// The surface that is drawn.
     pub surface: Reg,
-    /// What memory holds of the tile that comes.
+    /// What memory holds of the tile that comes, and above that whether it holds a pixel.
     pub mask: Reg,
     /// The job of a slot that loses its tile, step by step: its next tile's mask is read, the slot is told, it shows what it held, and
     /// pixels move.
@@ -60,7 +60,7 @@ impl State {
             clearing_second: m.reg_reset("clearing_second", 1, 1),
             cleared: m.reg_reset("cleared", SURFACE_BITS + config.place_bits(), 0),
             surface: m.reg_reset("surface", SURFACE_BITS, 0),
-            mask: m.reg("mask", TILE_PIXELS),
+            mask: m.reg("mask", TILE_PIXELS + 1),
             looking: m.reg_reset("looking", 1, 0),
             unchanged: m.reg_reset("unchanged", SLOT_BANKS, 0),
             changed: m.reg_reset("changed", 1, 0),
