@@ -1,7 +1,7 @@
 //! Comparisons; the result is one bit, 0 if an operand is NaN.
 
 use super::parts::delay;
-use super::parts::operand::{is_nan, order, ordered_inputs, width};
+use super::parts::operand::{is_nan, is_zero, order, ordered_inputs};
 use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::Format;
 use rtl::Expr;
@@ -44,9 +44,8 @@ fn relation(pipe: &mut Pipe, relation: Relation, format: Format) -> Expr {
     pipe.module.variant("format", format);
     let [a, b] = ordered_inputs(pipe, format);
     pipe.takes(delay::adder(format.width()) + delay::LEVEL);
-    let magnitude_bits = width(format) - 1;
     let unordered = is_nan(format, a) | is_nan(format, b);
-    let both_zero = (a.trunc(magnitude_bits) | b.trunc(magnitude_bits)).is_zero();
+    let both_zero = is_zero(format, a) & is_zero(format, b);
     let compared = match relation {
         Relation::Less => order(a).lt(order(b)),
         Relation::LessOrEqual => order(a).le(order(b)),

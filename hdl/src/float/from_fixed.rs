@@ -41,11 +41,14 @@ fn conversion(pipe: &mut Pipe, format: Format, fixed: Fixed) -> Expr {
     pipe.takes(delay::leading_zeros(width));
     let [magnitude, zeros] = pipe.cut([("magnitude", magnitude), ("zeros", leading_zeros(magnitude))]);
 
-    pipe.takes(delay::shifter(width) + delay::reduction(width));
+    pipe.takes(delay::shifter(width));
+    let [shifted, zeros] = pipe.cut([("shifted", magnitude.shl_by(zeros)), ("zeros", zeros)]);
+
+    pipe.takes(delay::reduction(width));
     let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
     let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent + 1);
     let exponent = signed(bits, top) - zeros.zext(bits);
-    let significand = keep_sticky(magnitude.shl_by(zeros), precision(format) + 2);
+    let significand = keep_sticky(shifted, precision(format) + 2);
     round(pipe, format, underflow(format, fixed), Raw { special, exponent, significand })
 }
 

@@ -1,7 +1,7 @@
 //! Minimum and maximum.
 
 use super::parts::delay;
-use super::parts::operand::{is_nan, order, ordered_inputs, width};
+use super::parts::operand::{flushed, is_nan, order, ordered_inputs, width};
 use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::Format;
 use rtl::{Expr, lit};
@@ -37,8 +37,13 @@ fn extremum(pipe: &mut Pipe, extremum: Extremum, format: Format) -> Expr {
     let [a, b] = ordered_inputs(pipe, format);
     pipe.takes(delay::adder(format.width()));
     let less = order(a).lt(order(b));
-    let [a_nan, b_nan, less, a, b] =
-        pipe.cut([("a_nan", is_nan(format, a)), ("b_nan", is_nan(format, b)), ("less", less), ("a", a), ("b", b)]);
+    let [a_nan, b_nan, less, a, b] = pipe.cut([
+        ("a_nan", is_nan(format, a)),
+        ("b_nan", is_nan(format, b)),
+        ("less", less),
+        ("a", flushed(format, a)),
+        ("b", flushed(format, b)),
+    ]);
     pipe.takes(2 * delay::LEVEL);
     let first = match extremum {
         Extremum::Minimum => less,

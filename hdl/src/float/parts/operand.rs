@@ -105,21 +105,28 @@ pub(crate) fn normalize<const N: usize>(pipe: &mut Pipe, format: Format, operand
     })
 }
 
-/// The encoded numbers in the input ports `a` and `b`, subnormal ones as zero if the format flushes them, on their way to
-/// a comparison by [`order`].
+/// The encoded numbers in the input ports `a` and `b` on their way to a comparison by [`order`], which does not wait for subnormal ones to be
+/// [`flushed`]: two of them are told by [`is_zero`], and one lies on the same side of all others as zero.
 pub(crate) fn ordered_inputs(pipe: &mut Pipe, format: Format) -> [Expr; 2] {
+    // A format that flushes is what datapaths share operators of; they choose their operands in front.
     pipe.takes(match format.subnormals {
         Subnormals::Keep => delay::LEVEL,
         Subnormals::Flush => delay::LEVEL + delay::reduction(format.exponent),
     });
-    ["a", "b"].map(|name| {
-        let encoded = pipe.module.input(name, width(format));
-        flushed(format, encoded)
-    })
+    ["a", "b"].map(|name| pipe.module.input(name, width(format)))
+}
+
+/// Whether an encoded number is zero, or a subnormal one that the format flushes.
+pub(crate) fn is_zero(format: Format, encoded: Expr) -> Expr {
+    let lowest = match format.subnormals {
+        Subnormals::Keep => 0,
+        Subnormals::Flush => format.mantissa,
+    };
+    encoded.bits(width(format) - 2, lowest).is_zero()
 }
 
 /// An encoded number, subnormal ones as zero if the format flushes them.
-fn flushed(format: Format, encoded: Expr) -> Expr {
+pub(crate) fn flushed(format: Format, encoded: Expr) -> Expr {
     if format.subnormals == Subnormals::Keep {
         return encoded;
     }
