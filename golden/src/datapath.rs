@@ -70,6 +70,18 @@ pub struct Datapath<T> {
     initiation_interval: u32,
 }
 
+/// Tokens that may be under way in a pipeline with a queue, from their acceptance until they are taken.
+///
+/// # Panics
+/// If the initiation interval is 0.
+#[must_use]
+pub fn tokens(latency: u32, initiation_interval: u32) -> u32 {
+    assert!(initiation_interval >= 1, "a pipeline has an initiation interval");
+    // A result may wait an interval but a cycle for the phase in which a pipeline behind takes it.
+    let round = latency + ROUND_CYCLES + (initiation_interval - 1);
+    round.div_ceil(initiation_interval).max(PLACES_MIN)
+}
+
 impl<T> Datapath<T> {
     /// An empty pipeline with a queue behind it, as after reset. Both numbers come from the manifest the generator writes.
     ///
@@ -77,8 +89,7 @@ impl<T> Datapath<T> {
     /// When `latency` or `initiation_interval` is 0.
     #[must_use]
     pub fn new(latency: u32, initiation_interval: u32) -> Self {
-        assert!(initiation_interval >= 1, "a pipeline has an initiation interval");
-        let credits = (latency + ROUND_CYCLES).div_ceil(initiation_interval).max(PLACES_MIN);
+        let credits = tokens(latency, initiation_interval);
         let end = End::Queue { queue: Fifo::new(credits as usize), credits, returning: 0 };
         Self::before(end, latency, initiation_interval)
     }
@@ -172,6 +183,21 @@ mod tests {
             let (entered, left) = run(Datapath::new(latency, interval), latency + 2, 100);
             let every = |first: u32| (first..100).step_by(interval as usize).collect::<Vec<_>>();
             assert_eq!((entered, left), (every(0), every(latency + 2)), "{latency} {interval}");
+        }
+    }
+
+    #[test]
+    fn results_that_are_taken_in_one_phase_alone_keep_the_interval() {
+        for (latency, interval) in [(28, 8), (34, 8), (36, 8), (9, 2), (20, 7)] {
+            for phase in 0..interval {
+                let mut datapath = Datapath::new(latency, interval);
+                let entered = (0..100 * interval).filter(|cycle| {
+                    let enters = datapath.in_ready();
+                    datapath.step(enters.then_some(Token::Kept(())), cycle % interval == phase);
+                    enters
+                });
+                assert_eq!(entered.count(), 100, "{latency} {interval}: taken in phase {phase}");
+            }
         }
     }
 

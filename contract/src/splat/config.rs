@@ -27,8 +27,6 @@ pub const DEPTH_SUM_BITS: u32 = WEIGHT_SUM_BITS + DEPTH_BITS;
 pub const ATTRIBUTES_MAX: u32 = 14;
 /// Entries of the queue between tile cache and rasterizer: how far ahead of the samples tiles are fetched.
 pub const PLACED_QUEUE_DEPTH: u32 = 16;
-/// Entries of the queue that holds the per-copy values of the copies under rasterization.
-pub const COPY_QUEUE_DEPTH: u32 = 64;
 /// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
 pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
 /// Memories that the tile slots share: pixels beside each other lie in different ones.

@@ -17,9 +17,10 @@ const PLACES_MIN: u32 = 2;
 /// Deepest queue kept in look-up tables; deeper ones take block memory.
 const DISTRIBUTED_PLACES: u32 = 64;
 
-/// Places of the queue behind a pipeline: the fewest at which tokens that are taken at once enter at the initiation interval.
+/// Places of the queue behind a pipeline: the fewest at which tokens enter at the initiation interval, whichever phase they are taken in.
 pub(super) fn places(latency: u32, initiation_interval: u32) -> u32 {
-    (latency + ROUND_CYCLES).div_ceil(initiation_interval).max(PLACES_MIN)
+    let waits = initiation_interval - 1;
+    (latency + ROUND_CYCLES + waits).div_ceil(initiation_interval).max(PLACES_MIN)
 }
 
 /// Tokens at both ends of a pipeline.
@@ -82,12 +83,17 @@ impl Output {
 }
 
 /// A queue of the results; returns whether one has left it in the cycle before. It is cut into some that go in step, so that no
-/// signal of theirs has more than its share of the loads.
+/// signal of theirs has more than its share of the loads. Of deep ones flags have their own: what is taken may hang on them, and block
+/// memory shows them late.
 fn queue(module: &mut Module, places: u32, kept: Expr, results: &[(String, Expr)]) -> Expr {
     let (mut valid, mut readies, mut fields) = (Vec::new(), Vec::new(), Vec::new());
-    for part in parts(results) {
+    let is_deep = places > DISTRIBUTED_PLACES;
+    let (flags, words): (Vec<_>, Vec<_>) =
+        results.iter().cloned().partition(|(_, value)| is_deep && value.width() == 1);
+    let flags = parts(&flags).into_iter().map(|part| (part, true));
+    for (part, is_distributed) in flags.chain(parts(&words).into_iter().map(|part| (part, !is_deep))) {
         let layout: Vec<(&str, u32)> = part.iter().map(|(name, value)| (name.as_str(), value.width())).collect();
-        let fifo = if places <= DISTRIBUTED_PLACES { fifo_distributed(places, &layout) } else { fifo(places, &layout) };
+        let fifo = if is_distributed { fifo_distributed(places, &layout) } else { fifo(places, &layout) };
         let queue = module.instance(&format!("queue_{}", valid.len() + 1), fifo);
         module.connect(queue, "in_valid", kept);
         part.iter().for_each(|(name, value)| module.connect(queue, &format!("in_{name}"), *value));
@@ -98,6 +104,8 @@ fn queue(module: &mut Module, places: u32, kept: Expr, results: &[(String, Expr)
         valid.push(out.valid);
         readies.push(out.ready);
     }
+    let place = |name: &String| results.iter().position(|(result, _)| result == name);
+    fields.sort_by_key(|&(name, _)| place(name));
     let ready = module.stream_out("out", valid[0], fields);
     readies.into_iter().for_each(|out| module.drive(out, ready));
     for (index, other) in valid.iter().enumerate().skip(1) {

@@ -34,6 +34,12 @@ impl<I: Record, O: Record> Passage<I, O> {
         Self::IN.room(m, self.instance)
     }
 
+    /// States that an item can be taken in each cycle where `valid` is set.
+    pub fn has_room_for(&self, m: &mut Module, valid: Expr) {
+        let room = self.room(m);
+        m.assert(&format!("{}_has_room", self.instance.name()), !valid | room);
+    }
+
     /// Offers an item in cycles where `valid` is set; to be called once.
     pub fn push(&self, m: &mut Module, config: &I::Config, valid: impl Into<Expr>, record: Wired<I>) {
         Self::IN.push(m, config, self.instance, valid, record);

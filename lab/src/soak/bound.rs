@@ -1,7 +1,7 @@
 //! How long a core may be silent: from its parameters, twice what its slowest work without a transfer takes.
 
 use pointcore::stimuli::trees::RandomTree;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, PLACED_QUEUE_DEPTH, SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
+use pointcore_contract::splat::config::{PLACED_QUEUE_DEPTH, SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_contract::{search, splat};
 use pointcore_golden::{search as search_model, splat as splat_model};
 
@@ -19,7 +19,9 @@ const STEP_CYCLES: u64 = 8;
 pub fn renderer(config: &splat::Config, latencies: &splat_model::Latencies) -> u64 {
     let pixels = u64::from(TILE_PIXELS);
     let splats = u64::from(latencies.transform + latencies.setup) + STEP_CYCLES;
-    let waiting = u64::from(config.pointers() + PLACED_QUEUE_DEPTH + COPY_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
+    let waiting = u64::from(config.pointers() + PLACED_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
+    // In the rasterizer no more than stages.
+    let waiting = waiting + u64::from(latencies.rasterizer) + STEP_CYCLES;
     let copies = waiting + splats * u64::from(config.tile_slots);
     let copy = pixels + u64::from(config.accumulate_stages + config.heap_interval + config.payload_beats) + STEP_CYCLES;
     let pipelines = u64::from(latencies.rasterizer + latencies.weighting + latencies.normalizer) + splats * 16;

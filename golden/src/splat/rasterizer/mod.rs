@@ -11,14 +11,14 @@ mod tests;
 
 use super::parts::division::squared_ratio;
 use super::parts::place;
-use crate::datapath::{Datapath, Token};
+use crate::datapath::{self, Datapath, Token};
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::Model;
 use fixed_distance::Distance;
 pub use motion::MotionRasterizer;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS};
+use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::records::{Attributes, Band, DepthPlane, Footprint, Sample, SamplePlace};
 use pointcore_contract::splat::units::RasterizerEvents;
 pub use pointcore_contract::splat::units::rasterizer::{In, Out};
@@ -74,14 +74,14 @@ impl Rasterizer {
             kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
             kernel_bits,
             scanner: Scanner::new(config),
-            copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
+            copies: Fifo::new(datapath::tokens(latency, 1) as usize + 1),
             datapath: Datapath::new(latency, 1),
             events: RasterizerEvents::default(),
         }
     }
 
     fn in_ready(&self) -> bool {
-        self.datapath.in_ready() && self.scanner.is_idle() && self.copies.in_ready()
+        self.datapath.in_ready() && self.scanner.is_idle()
     }
 
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.

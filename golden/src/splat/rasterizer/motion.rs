@@ -4,11 +4,12 @@
 //! copy's last. ε and attributes wait in a queue beside the evaluation.
 
 use super::{In, Out, Scanner};
+use crate::datapath;
 use crate::splat::{MotionEvaluation, motion_evaluation};
 use crate::stream::Fifo;
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, WEIGHT_BITS};
+use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
 use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_contract::splat::records::{Attributes, Band, MovingPlace, MovingSample, Sample, SamplePlace};
 use pointcore_contract::splat::units::RasterizerEvents;
@@ -34,14 +35,14 @@ impl MotionRasterizer {
         Self {
             config: config.clone(),
             scanner: Scanner::new(config),
-            copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
+            copies: Fifo::new(datapath::tokens(latency, config.sample_interval) as usize + 1),
             evaluation: MotionEvaluation::new(config, latency),
             events: RasterizerEvents::default(),
         }
     }
 
     fn in_ready(&self) -> bool {
-        self.evaluation.in_ready() && self.scanner.is_idle() && self.copies.in_ready()
+        self.evaluation.in_ready() && self.scanner.is_idle()
     }
 
     /// What a bin sees of a sample; `None` if that is nothing, and nothing hangs on it.

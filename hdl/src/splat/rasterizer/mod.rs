@@ -13,7 +13,6 @@ use crate::units::passage::Passage;
 use crate::units::ports::{OutputPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, layout};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::COPY_QUEUE_DEPTH;
 use pointcore_contract::splat::records::Sample;
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use position::{Evaluated, Position, Shape, Shared};
@@ -33,12 +32,12 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let copy = PORTS.input.declare(&mut m, config);
     let evaluation = Passage::<Position, Evaluated>::place(&mut m, "evaluation", evaluation);
     let advance = evaluation.room(&mut m);
-    let queue = stream::fifo(COPY_QUEUE_DEPTH, &layout::<Shared>(config));
+    let queue = stream::fifo(scanner::copies(&manifest), &layout::<Shared>(config));
     let queue = Passage::<Shared>::place(&mut m, "shared", queue);
-    let queue_ready = queue.room(&mut m);
 
     let scanner = Scanner::new(&mut m, config);
-    let [ready, load] = scanner.take(&mut m, config, &copy, [advance, queue_ready]);
+    let [ready, load] = scanner.take(&mut m, config, &copy, advance);
+    queue.has_room_for(&mut m, load);
     let splat = copy.record;
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
     let [column, row] = scanner.place(config);

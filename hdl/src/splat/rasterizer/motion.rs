@@ -1,7 +1,7 @@
 //! Rasterizer of splats that move while the shutter is open (thesis chapter 4): integrates one sample after the other over a bin of the exposure;
 //! golden twin: `pointcore_golden::splat::MotionRasterizer`.
 
-use super::scanner::Scanner;
+use super::scanner::{self, Scanner};
 use crate::compiler::{CompileError, Datapath, Options};
 use crate::splat::motion_evaluation;
 use crate::stream;
@@ -10,7 +10,7 @@ use crate::units::ports::{OutputPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, Wires, layout};
 use pointcore_contract::record;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, WEIGHT_BITS};
+use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
 use pointcore_contract::splat::motion::SHARE_BITS;
 use pointcore_contract::splat::records::{
     ATTRIBUTES, Band, MovingPlace, MovingSample, Sample, SamplePlace, attribute_name,
@@ -42,11 +42,12 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let copy = PORTS.input.declare(&mut m, config);
     let evaluation = Passage::<MovingPlace, MovingSample>::place(&mut m, "evaluation", evaluation);
     let advance = evaluation.room(&mut m);
-    let queue = Passage::<Shared>::place(&mut m, "shared", stream::fifo(COPY_QUEUE_DEPTH, &layout::<Shared>(config)));
-    let queue_ready = queue.room(&mut m);
+    let queue = stream::fifo(scanner::copies(&manifest), &layout::<Shared>(config));
+    let queue = Passage::<Shared>::place(&mut m, "shared", queue);
 
     let scanner = Scanner::new(&mut m, config);
-    let [ready, load] = scanner.take(&mut m, config, &copy, [advance, queue_ready]);
+    let [ready, load] = scanner.take(&mut m, config, &copy, advance);
+    queue.has_room_for(&mut m, load);
     let moving = copy.record.moving;
     let footprint = moving.footprint.register(&mut m, config, "", ready);
     let [column, row] = scanner.place(config);

@@ -1,5 +1,6 @@
 //! Walks the samples of a copy's octagon, row by row.
 
+use crate::compiler::Manifest;
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
@@ -26,6 +27,11 @@ pub(super) struct Scanner {
     /// First and last column of the next one.
     next_ends: [Reg; 2],
     bottom: Reg,
+}
+
+/// Copies of which samples may be under way: each of them has one in the evaluation, or in the scanner.
+pub(super) fn copies(evaluation: &Manifest) -> u32 {
+    (evaluation.tokens() + 1).next_power_of_two()
 }
 
 /// First and last column of pixels in a row, of those of a rectangle.
@@ -70,16 +76,9 @@ impl Scanner {
         }
     }
 
-    /// Takes copies in cycles in which what evaluates samples advances and there is room for what they share; returns when it would take one,
-    /// and when it does.
-    pub fn take(
-        &self,
-        m: &mut Module,
-        config: &Config,
-        copy: &Flow<CompleteCopy<Wires>>,
-        [advance, room]: [Expr; 2],
-    ) -> [Expr; 2] {
-        let ready = m.wire("take", (advance & self.idle) & room);
+    /// Takes copies in cycles in which what evaluates samples advances; returns when it would take one, and when it does.
+    pub fn take(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr) -> [Expr; 2] {
+        let ready = m.wire("take", advance & self.idle);
         m.drive(copy.ready, ready);
         let load = m.wire("load", ready & copy.valid);
         self.step(m, config, copy, advance, ready);
@@ -92,12 +91,13 @@ impl Scanner {
         RasterizerEvents { sample: advance & busy, starved: advance & !busy, blocked: busy & !advance }
     }
 
-    /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
+    /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle. While it would take one and none
+    /// is there, registers may take what they will: what they take does not wait for who offers it.
     fn step(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr, ready: Expr) {
-        let load = ready & copy.valid;
+        let (load, idle) = (ready & copy.valid, self.idle.expr());
         let row_done = m.wire("row_done", self.column.eq(self.row_end));
-        m.next_if(self.busy, advance, load | (self.busy & !self.last));
-        let copy = copy.record;
+        m.next_if(self.busy, advance, idle.mux(copy.valid, *self.busy));
+        let (arrives, copy) = (copy.valid, copy.record);
         m.next_if(self.slot, ready, copy.slot);
         m.next_if(self.tile, ready, copy.tile);
         let diagonals = copy.diagonals;
@@ -120,20 +120,19 @@ impl Scanner {
         let [next_begin, next_end] = self.next_ends;
         let next_column = row_done.mux(next_begin, self.column.add_lit(1));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
-        let new_row = advance & (load | row_done);
-        m.next_if(self.column, advance, load.mux(first_ends[0], next_column));
-        m.next_if(self.row, advance, load.mux(top, next_row));
-        m.next_if(self.row_end, new_row, load.mux(first_ends[1], next_end));
+        let new_row = advance & (idle | row_done);
+        m.next_if(self.column, advance, idle.mux(first_ends[0], next_column));
+        m.next_if(self.row, advance, idle.mux(top, next_row));
+        m.next_if(self.row_end, new_row, idle.mux(first_ends[1], next_end));
         for (end, (second, following)) in self.next_ends.iter().zip(second_ends.into_iter().zip(following_ends)) {
-            m.next_if(*end, new_row, load.mux(second, following));
+            m.next_if(*end, new_row, idle.mux(second, following));
         }
         let ends_at = |row: Expr, column: Expr, bottom: Expr, end: Expr| cat([row, column]).eq(cat([bottom, end]));
         let single = ends_at(top, first_ends[0], bottom, first_ends[1]);
         let next_row_end = row_done.mux(next_end, self.row_end);
         let reaches_last = ends_at(next_row, next_column, *self.bottom, next_row_end);
-        m.next_if(self.last, advance, load.mux(single, reaches_last));
-        let falls_idle = !self.busy | (self.last | reaches_last);
-        m.next_if(self.idle, advance, load.mux(single, falls_idle));
+        m.next_if(self.last, advance, idle.mux(single, reaches_last));
+        m.next_if(self.idle, advance, idle.mux(!arrives | single, reaches_last));
     }
 
     /// The lowest bit of the copy's bin of the exposure, where there are several.
