@@ -8,6 +8,8 @@ use super::types::Type;
 
 /// Levels that may follow each other between two registers: three gates, or an adder and a gate.
 pub(super) const CYCLE_LEVELS: u32 = 6;
+/// Levels that are as late as what block memory shows.
+pub const BLOCK_MEMORY_LEVELS: u32 = 4;
 /// Levels allowed in front of an operator, whose first stage comes in the same cycle: one gate.
 pub(super) const OPERATOR_INPUT_LEVELS: u32 = 2;
 /// A gate or a choice of two.

@@ -45,6 +45,7 @@ mod typing;
 mod value;
 
 pub use compound::Compound;
+pub use cost::BLOCK_MEMORY_LEVELS;
 pub use error::CompileError;
 pub use graph::{Graph, Node, ValueId};
 pub use manifest::{Manifest, OperatorUse};
@@ -70,6 +71,8 @@ pub struct Options {
     pub stages: OperatorStages,
     /// When results are taken.
     pub taking: Taking,
+    /// Levels of logic that are as late as its inputs are in their cycle.
+    pub input_levels: u32,
 }
 
 /// When what a datapath shows is taken.
@@ -85,7 +88,7 @@ pub enum Taking {
 impl Default for Options {
     /// A token a cycle, operators with as many stages as they like, results that wait.
     fn default() -> Self {
-        Self { initiation_interval: 1, stages: OperatorStages::default(), taking: Taking::default() }
+        Self { initiation_interval: 1, stages: OperatorStages::default(), taking: Taking::default(), input_levels: 0 }
     }
 }
 
@@ -142,7 +145,8 @@ pub fn compile_graph(graph: &Graph, options: &Options) -> Result<Datapath, Compi
         return Err(CompileError::InitiationInterval { unit, initiation_interval, maximum });
     }
     let graph = combine::combine(optimize::optimize(graph), initiation_interval);
-    let plan = plan::Plan::new(&graph, initiation_interval, &options.stages);
+    let mut plan = plan::Plan::new(&graph, initiation_interval, &options.stages);
+    plan.input_levels = options.input_levels;
     let schedule = schedule::schedule(&graph, &plan, initiation_interval);
     let (module, manifest) = emit::emit(&graph, &plan, &schedule, options);
     Ok(Datapath { module, manifest })

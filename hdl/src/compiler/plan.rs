@@ -86,13 +86,15 @@ impl Class {
 
 /// Requirements of all nodes of a graph.
 pub(super) struct Plan {
+    /// Levels of logic that are as late as inputs are.
+    pub input_levels: u32,
     pub timing: Vec<Timing>,
     pub classes: Vec<Class>,
 }
 
 impl Plan {
     pub fn new(graph: &Graph, initiation_interval: u32, stages: &OperatorStages) -> Self {
-        let mut plan = Self { timing: Vec::new(), classes: Vec::new() };
+        let mut plan = Self { input_levels: 0, timing: Vec::new(), classes: Vec::new() };
         let mut known: HashMap<(Operation, Vec<Type>), usize> = HashMap::new();
         for node in graph.nodes() {
             let operands: Vec<Type> = node.operands.iter().map(|&id| graph.node(id).ty).collect();

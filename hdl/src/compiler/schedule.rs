@@ -103,7 +103,7 @@ impl<'a> Scheduler<'a> {
         // With registers before it, an operation always fits: nothing could be split off.
         match self.plan.timing[index] {
             Timing::Static { levels } => Some(levels),
-            Timing::Input => Some(0),
+            Timing::Input => Some(self.plan.input_levels),
             Timing::Combinational { levels } if before + levels <= CYCLE_LEVELS => Some(before + levels),
             Timing::Combinational { .. } => (moving == 0).then_some(CYCLE_LEVELS),
             Timing::Pipelined { class } => {

@@ -1,6 +1,6 @@
 //! A sample's contributions (thesis eq. 5.10); golden twin: `pointcore_golden::splat::weighting`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
+use crate::compiler::{BLOCK_MEMORY_LEVELS, CompileError, Datapath, Options, Program, Type, Value, name};
 use crate::units::datapath;
 use crate::units::values::Terms;
 use pointcore_contract::splat::config::WEIGHT_BITS;
@@ -33,5 +33,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     continuous.iter_mut().for_each(|attribute| *attribute = contribution(*attribute));
     let Band { low: depth_low, high: depth_high, .. } = band;
     WeightedSample { place, weighted_depth, depth_low, depth_high, time, attributes }.outputs(&program, config);
-    datapath::unit(&units::weighting::UNIT, config, &program, options)
+    // The rasterizer shows what it has out of block memory.
+    let options = Options { input_levels: BLOCK_MEMORY_LEVELS, ..options.clone() };
+    datapath::unit(&units::weighting::UNIT, config, &program, &options)
 }

@@ -16,7 +16,7 @@ struct Slot {
     used: Reg,
     /// It is the next to be allocated.
     is_next: Expr,
-    /// Its tile is that of the copy to be placed.
+    /// It holds a tile, which is that of the copy to be placed.
     is_of_copy: Reg,
 }
 
@@ -98,10 +98,10 @@ impl Directory {
                 in_flight: m.reg_reset(&format!("in_flight_{slot}"), IN_FLIGHT_BITS, 0),
                 used: m.reg_reset(&format!("used_{slot}"), 1, 0),
                 is_next: next.eq_lit(slot.into()),
-                is_of_copy: m.reg(&format!("is_of_copy_{slot}"), 1),
+                is_of_copy: m.reg_reset(&format!("is_of_copy_{slot}"), 1, 0),
             })
             .collect();
-        let holds_copy: Vec<_> = slots.iter().map(|slot| slot.resident & slot.is_of_copy).collect();
+        let holds_copy: Vec<_> = slots.iter().map(|slot| slot.is_of_copy.expr()).collect();
         let copy = Hit::new(m, "copy", slot_bits, &holds_copy);
         let any_resident = m.wire("any_resident", cat(slots.iter().map(|slot| slot.resident)).any());
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
@@ -144,10 +144,12 @@ impl Directory {
             let is = |other: Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & slot.is_next;
             m.next_if(slot.tile, allocated, lookup.copy);
-            // A slot is given to a copy that stays.
-            let is_of_copy = lookup.takes.mux(slot.tile.eq(lookup.arriving), slot.is_of_copy | allocated);
-            m.next(slot.is_of_copy, is_of_copy);
             let starts = starts & slot.is_next;
+            // A slot is given to a copy that stays.
+            let holds = slot.resident & !starts;
+            let is_of_copy =
+                lookup.takes.mux(holds & slot.tile.eq(lookup.arriving), allocated | (slot.is_of_copy & !starts));
+            m.next(slot.is_of_copy, is_of_copy);
             m.next_if(slot.resident, starts, allocated);
             let filled = changes.filled & is(changes.filled_slot);
             m.next_if(slot.ready, filled | starts, filled);

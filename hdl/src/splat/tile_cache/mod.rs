@@ -112,11 +112,6 @@ fn follow_job(
     JobSteps { change, done }
 }
 
-/// A mask, and above it whether it has a bit: known where a mask is written, not counted from what block memory shows late.
-fn with_any(mask: Expr) -> Expr {
-    cat([mask.any(), mask])
-}
-
 /// The memory of masks: by surface and tile, which pixels the reconstruction buffer holds; `misses` reads that of the `tile` that comes,
 /// and `written` becomes that of the one that goes.
 fn stored_masks(
@@ -130,14 +125,21 @@ fn stored_masks(
     let words = 1 << (SURFACE_BITS + config.place_bits());
     let word = |tile: Expr| cat([state.surface.expr(), share::place(config, tile)]);
     let looked_at = cat([leaving.surface(state), *leaving.place]);
-    let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS + 1);
-    let shown = m.read(masks, "stored_mask", misses.mux(word(tile), looked_at));
+    let masks = m.memory_unordered("stored_masks", words, TILE_PIXELS);
+    // Whether a mask has a bit is told where it is written, not counted from what block memory shows late.
+    let any = m.memory_unordered("stored_any", words, 1);
+    let read = misses.mux(word(tile), looked_at);
+    let [any_shown, shown] =
+        [(any, "any_is_stored"), (masks, "stored_mask")].map(|(memory, name)| m.read(memory, name, read));
+    let shown = cat([any_shown, shown]);
     m.next_if(state.mask, state.looking, shown);
 
     let goes = m.wire("mask_is_kept", state.changed & state.goes);
-    let kept = goes.repeat(TILE_PIXELS + 1) & with_any(written);
+    let kept = goes.repeat(TILE_PIXELS) & written;
     let address = clears.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
-    m.write(masks, (goes | clears) | sends, address, kept);
+    let writes = (goes | clears) | sends;
+    m.write(masks, writes, address, kept);
+    m.write(any, writes, address, goes & written.any());
     StoredMasks { shown, goes, looked_at }
 }
 
