@@ -8,7 +8,7 @@
 use super::cost::{MEMORY_STAGES, stages};
 use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
-use super::plan::Plan;
+use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use rtl::{Expr, Memory, address_width, cat};
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,6 +56,12 @@ impl Delays {
             }
         }
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| need(id, schedule.latency));
+        // What comes late goes to a register, not to a memory.
+        let is_late = |index: usize| plan.input_levels > 0 && matches!(plan.timing[index], Timing::Input);
+        for (_, taps) in needs.iter_mut().enumerate().filter(|(index, taps)| is_late(*index) && taps.last() > Some(&0))
+        {
+            taps.insert(1);
+        }
 
         let mut widths: BTreeMap<LineKey, Vec<u32>> = BTreeMap::new();
         for (index, taps) in needs.iter().enumerate() {

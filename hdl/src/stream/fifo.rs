@@ -47,14 +47,15 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
     let read_address = m.reg_reset("read_address", address_bits, 0);
     let out_valid = m.reg_reset("out_valid", 1, 0);
 
-    m.drive(input.ready, !is_full);
+    let has_room = m.wire("has_room", !is_full);
+    m.drive(input.ready, has_room);
     let push = m.wire("push", input.transfer());
     let entries = match storage {
         Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
     // What is there when nothing is pushed is written over.
-    m.write(entries, !is_full, write_address, input.data);
+    m.write(entries, has_room, write_address, input.data);
 
     let out_ready = m.forward("out_taken", 1);
     let pop = m.wire("pop", out_valid & out_ready);

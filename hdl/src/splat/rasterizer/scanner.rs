@@ -16,6 +16,8 @@ pub(super) struct Scanner {
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
     idle: Reg,
+    /// None can: for those who stand far from where `idle` is wanted most.
+    walks: Reg,
     /// The current pixel is the copy's last.
     pub last: Reg,
     pub slot: Reg,
@@ -65,6 +67,7 @@ impl Scanner {
             sample_bits: config.sampling.columns().ilog2(),
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
+            walks: m.reg_reset("walks", 1, 0),
             last: m.reg("is_last", 1),
             slot: m.reg("slot", config.slot_bits()),
             tile: m.reg("tile", config.tile_bits()),
@@ -80,7 +83,7 @@ impl Scanner {
     pub fn take(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr) -> [Expr; 2] {
         let ready = m.wire("take", advance & self.idle);
         m.drive(copy.ready, ready);
-        let load = m.wire("load", ready & copy.valid);
+        let load = m.wire("load", (advance & !self.walks) & copy.valid);
         self.step(m, config, copy, advance, ready);
         [ready, load]
     }
@@ -132,7 +135,10 @@ impl Scanner {
         let next_row_end = row_done.mux(next_end, self.row_end);
         let reaches_last = ends_at(next_row, next_column, *self.bottom, next_row_end);
         m.next_if(self.last, advance, idle.mux(single, reaches_last));
-        m.next_if(self.idle, advance, idle.mux(!arrives | single, reaches_last));
+        let is_idle = idle.mux(!arrives | single, reaches_last);
+        m.next_if(self.idle, advance, is_idle);
+        m.next_if(self.walks, advance, !is_idle);
+        m.assert("walks_unless_idle", self.walks ^ self.idle);
     }
 
     /// The lowest bit of the copy's bin of the exposure, where there are several.
