@@ -264,7 +264,7 @@ module splat_top (
 endmodule
 
 // A finished pixel's sums divided by its weight.
-// latency = 31
+// latency = 32
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk, input wire rst,
@@ -291,17 +291,17 @@ module splat_normalizer (
     (* ram_style = "distributed" *)
     reg [23:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [18:0] delay_31_from_0 [0:29];
+    reg [18:0] delay_32_from_0 [0:30];
     reg [6:0] credits;
     reg [4:0] delay_19_from_0_pointer;
     reg [71:0] delay_19_from_0_out;
     reg [4:0] delay_20_from_0_pointer;
     reg [23:0] delay_20_from_0_out;
-    reg [4:0] delay_31_from_0_pointer;
-    reg [18:0] delay_31_from_0_out;
+    reg [4:0] delay_32_from_0_pointer;
+    reg [18:0] delay_32_from_0_out;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4;
     reg [13:0] attribute_0_out_shifted_d1, attribute_1_out_shifted_d1, attribute_2_out_shifted_d1;
-    reg [30:0] in_flight;
+    reg [31:0] in_flight;
     reg left;
 
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
@@ -317,10 +317,10 @@ module splat_normalizer (
     wire [23:0] attribute_0_float_d19 = delay_19_from_0_out[23:0];
     wire [23:0] attribute_1_float_d19 = delay_19_from_0_out[47:24];
     wire [23:0] attribute_2_float_d19 = delay_19_from_0_out[71:48];
-    wire kept = in_flight[30];
-    wire end_d31 = delay_31_from_0_out[0];
-    wire [8:0] column_out_d31 = delay_31_from_0_out[9:1];
-    wire [8:0] row_out_d31 = delay_31_from_0_out[18:10];
+    wire kept = in_flight[31];
+    wire end_d32 = delay_32_from_0_out[0];
+    wire [8:0] column_out_d32 = delay_32_from_0_out[9:1];
+    wire [8:0] row_out_d32 = delay_32_from_0_out[18:10];
     wire [13:0] attribute_0_out_lesser = ($signed(14'h7ff) < $signed(attribute_0_out_shifted_d1)) ? 14'h7ff : attribute_0_out_shifted_d1;
     wire [13:0] attribute_1_out_lesser = ($signed(attribute_1_out_shifted_d1) < $signed(14'h7ff)) ? attribute_1_out_shifted_d1 : 14'h7ff;
     wire [13:0] attribute_2_out_lesser = ($signed(attribute_2_out_shifted_d1) < $signed(14'h7ff)) ? attribute_2_out_shifted_d1 : 14'h7ff;
@@ -337,7 +337,7 @@ module splat_normalizer (
 
     assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_1_out_data;
 
-    float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s4_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
@@ -345,7 +345,7 @@ module splat_normalizer (
         .clk(clk), .enable(1'd1), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s4_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
@@ -368,15 +368,15 @@ module splat_normalizer (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit (
+    float_from_fixed_s5_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_attribute_0), .y(to_float_s40q27_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy2 (
+    float_from_fixed_s5_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy2 (
         .clk(clk), .enable(1'd1), .a(in_attribute_1), .y(to_float_s40q27_f24_ftz_unit_copy2_y)
     );
 
-    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy3 (
+    float_from_fixed_s5_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy3 (
         .clk(clk), .enable(1'd1), .a(in_attribute_2), .y(to_float_s40q27_f24_ftz_unit_copy3_y)
     );
 
@@ -392,10 +392,10 @@ module splat_normalizer (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy4_y), .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
     );
 
-    stream_fifo_d35_w79_distributed queue_1 (
+    stream_fifo_d36_w79_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
-            end_d31, column_out_d31, row_out_d31, depth_out_d4, attribute_0_out_lesser[11:0],
+            end_d32, column_out_d32, row_out_d32, depth_out_d4, attribute_0_out_lesser[11:0],
             attribute_1_out_lesser[11:0], attribute_2_out_lesser[11:0]
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
@@ -403,18 +403,18 @@ module splat_normalizer (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 7'd34;
+            credits <= 7'd35;
             delay_19_from_0_pointer <= 5'd0;
             delay_20_from_0_pointer <= 5'd0;
-            delay_31_from_0_pointer <= 5'd0;
-            in_flight <= 31'd0;
+            delay_32_from_0_pointer <= 5'd0;
+            in_flight <= 32'd0;
             left <= 1'd0;
         end else begin
             credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-            delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[29:0], in_valid_and_in_ready};
+            delay_32_from_0_pointer <= (delay_32_from_0_pointer == 5'd30) ? (delay_32_from_0_pointer - 5'd30) : (delay_32_from_0_pointer + 5'd1);
+            in_flight <= {in_flight[30:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
         end
     end
@@ -439,8 +439,8 @@ module splat_normalizer (
         delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_31_from_0[delay_31_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
-        delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+        delay_32_from_0[delay_32_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
+        delay_32_from_0_out <= delay_32_from_0[delay_32_from_0_pointer];
     end
 
     wire _unused = &{
@@ -462,23 +462,28 @@ module splat_normalizer (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 35
+// depth = 36
 // width = 79
 // storage = distributed
-module stream_fifo_d35_w79_distributed (
+module stream_fifo_d36_w79_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [78:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [78:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [78:0] entries [0:34];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [78:0] entries [0:35];
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [78:0] item;
 
-    wire has_room = ~(held == 6'd35);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -487,31 +492,43 @@ module stream_fifo_d35_w79_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd35);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
+            if (push) write_address <= (write_address == 6'd35) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd35) ? 6'd0 : (read_address + 6'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
-            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 6'd35);
+        held_in_range: assert (held <= 6'd36);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd36)) & (any_waits == |waiting));
 `else
-        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 6'd36)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd36)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -563,20 +580,22 @@ module float_to_fixed_s3_f24ftz_w13_f12_signed (
 endmodule
 
 // Fixed to floating point.
-// stages = 4
+// stages = 5
 // format = f24-ftz
 // width = 40
 // fraction = 27
 // integer = signed
-module float_from_fixed_s4_f24ftz_w40_f27_signed (
+module float_from_fixed_s5_f24ftz_w40_f27_signed (
     input  wire clk, input wire enable, input wire [39:0] a,
     output reg  [23:0] y
 );
     reg [39:0] magnitude_s1, magnitude_s2;
     reg [5:0] zeros_s2;
-    reg [8:0] exponent_s3;
-    reg [17:0] significand_s3;
-    reg sign_s1, sign_s2, sign_s3, zero_s1, zero_s2, zero_s3;
+    reg [39:0] shifted_s3;
+    reg [5:0] zeros_s3;
+    reg [8:0] exponent_s4;
+    reg [17:0] significand_s4;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, zero_s1, zero_s2, zero_s3, zero_s4;
 
     wire [39:0] magnitude_s1_choice = a[39] ? (~a + 40'd1) : a;
     wire zeros_s2_both = ~magnitude_s1[39] & ~magnitude_s1[38];
@@ -620,47 +639,52 @@ module float_from_fixed_s4_f24ftz_w40_f27_signed (
     wire [2:0] zeros_s2_bits_17 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_15 : zeros_s2_bits_16};
     wire [3:0] zeros_s2_bits_18 = {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_14 : zeros_s2_bits_17};
     wire [4:0] zeros_s2_bits_19 = {zeros_s2_both_9, zeros_s2_both_9 ? zeros_s2_bits_11 : zeros_s2_bits_18};
-    wire [39:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
-    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
-    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
-    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
+    wire y_both = (exponent_s4 == 9'd0) & ~(&significand_s4[16:2] & significand_s4[1]);
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
+    wire [22:0] rounded = {exponent_s4[7:0], significand_s4[16:2]} + {22'd0, round_up};
+    wire [22:0] y_choice = (~exponent_s4[8] & (9'd255 <= exponent_s4)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= magnitude_s1_choice;
             magnitude_s2 <= magnitude_s1;
             zeros_s2 <= {zeros_s2_both_18, zeros_s2_both_18 ? zeros_s2_bits_4 : zeros_s2_bits_19};
-            exponent_s3 <= 9'd139 - {3'd0, zeros_s2};
-            significand_s3 <= {significand_s3_shifted[39:23], |significand_s3_shifted[22:0]};
+            shifted_s3 <= magnitude_s2 << zeros_s2;
+            zeros_s3 <= zeros_s2;
+            exponent_s4 <= 9'd139 - {3'd0, zeros_s3};
+            significand_s4 <= {shifted_s3[39:23], |shifted_s3[22:0]};
             sign_s1 <= a[39];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
             zero_s1 <= magnitude_s1_choice == 40'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= {sign_s3, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
+            zero_s4 <= zero_s3;
+            y <= {sign_s4, (zero_s4 | (exponent_s4[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s4[17]};
 endmodule
 
 // Fixed to floating point.
-// stages = 3
+// stages = 4
 // format = f24-ftz
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
+module float_from_fixed_s4_f24ftz_w52_f40_unsigned (
     input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [23:0] y
 );
     reg [51:0] magnitude_s1;
     reg [5:0] zeros_s1;
-    reg [8:0] exponent_s2;
-    reg [17:0] significand_s2;
-    reg zero_s1, zero_s2;
+    reg [51:0] shifted_s2;
+    reg [5:0] zeros_s2;
+    reg [8:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg zero_s1, zero_s2, zero_s3;
 
     wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
     wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
@@ -702,42 +726,46 @@ module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
     wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
     wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
-    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
-    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
-            exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {significand_s2_shifted[51:35], |significand_s2_shifted[34:0]};
+            shifted_s2 <= magnitude_s1 << zeros_s1;
+            zeros_s2 <= zeros_s1;
+            exponent_s3 <= 9'd138 - {3'd0, zeros_s2};
+            significand_s3 <= {shifted_s2[51:35], |shifted_s2[34:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
+            zero_s3 <= zero_s2;
+            y <= {1'd0, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Fixed to floating point.
-// stages = 3
+// stages = 4
 // format = f24-ftz
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
+module float_from_fixed_s4_f24ftz_w28_f16_unsigned (
     input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [23:0] y
 );
     reg [27:0] magnitude_s1;
     reg [4:0] zeros_s1;
-    reg [8:0] exponent_s2;
-    reg [17:0] significand_s2;
-    reg zero_s1, zero_s2;
+    reg [27:0] shifted_s2;
+    reg [4:0] zeros_s2;
+    reg [8:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg zero_s1, zero_s2, zero_s3;
 
     wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
     wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
@@ -760,25 +788,27 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
     wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
     wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
-    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
-    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
-            exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {significand_s2_shifted[27:11], |significand_s2_shifted[10:0]};
+            shifted_s2 <= magnitude_s1 << zeros_s1;
+            zeros_s2 <= zeros_s1;
+            exponent_s3 <= 9'd138 - {4'd0, zeros_s2};
+            significand_s3 <= {shifted_s2[27:11], |shifted_s2[10:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
+            zero_s3 <= zero_s2;
+            y <= {1'd0, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // A rasterizer with the lists, slots and sums of its share of the tiles.
@@ -1180,8 +1210,12 @@ module splat_accumulator (
     reg [27:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
-    reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
-    reg is_written_1, is_written_2;
+    reg [31:0] bank_0_was_written, bank_0_was_dirty;
+    reg [3:0] bank_0_was_near;
+    reg [31:0] bank_1_was_written, bank_1_was_dirty;
+    reg [3:0] bank_1_was_near;
+    reg [1:0] near_place;
+    reg near_bank, is_written;
     wire [199:0] bank_0_read;
     reg [199:0] bank_0_pixel;
     wire [199:0] bank_1_read;
@@ -1289,11 +1323,16 @@ module splat_accumulator (
     wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
     wire masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
     wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
+    wire [4:0] bank_1_near_bits = {head_pixel[5:3], 2'd0};
+    wire [31:0] bank_0_near_shifted = bank_0_mask[63:32] >> bank_1_near_bits;
+    wire [3:0] bank_0_near = bank_0_near_shifted[3:0];
     wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
     wire masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
     wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
-    wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
-    wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
+    wire [31:0] bank_1_near_shifted = bank_1_mask[63:32] >> bank_1_near_bits;
+    wire [3:0] bank_1_near = bank_1_near_shifted[3:0];
+    wire [3:0] is_written_shifted = bank_1_was_near >> near_place;
+    wire [3:0] is_written_shifted_2 = bank_0_was_near >> near_place;
     wire drains_1_either = (~drain_pixel[0] & reads_bank[0]) | (drain_pixel[0] & reads_bank[1]);
     wire [31:0] pixel_bit = 32'd1 << head_pixel[5:1];
     wire [63:0] bank_0_masks_data_bits = {
@@ -1473,13 +1512,16 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        is_written_1 <= head_pixel[0] ? is_written_1_shifted[0] : is_written_1_shifted_2[0];
-        is_written_2 <= is_written_1;
+        bank_0_was_near <= bank_0_near;
+        bank_1_was_near <= bank_1_near;
+        near_place <= head_pixel[2:1];
+        near_bank <= head_pixel[0];
+        is_written <= near_bank ? is_written_shifted[0] : is_written_shifted_2[0];
         bank_0_pixel <= bank_0_read;
         bank_1_pixel <= bank_1_read;
         drained_pixel_1 <= drain_pixel;
         drained_pixel_2 <= drained_pixel_1;
-        stored <= {200{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
+        stored <= {200{is_written}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1589,8 +1631,8 @@ module splat_accumulator (
     end
 
     wire _unused = &{
-        1'b0, arrived_shifted[1], arrived_shifted_2[1], is_written_1_shifted[31:1],
-        is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
+        1'b0, arrived_shifted[1], arrived_shifted_2[1], bank_0_near_shifted[31:4], bank_1_near_shifted[31:4],
+        is_written_shifted[3:1], is_written_shifted_2[3:1], samples_in_ready, samples_out_valid
     };
 
 `ifdef RTL_ASSERT
@@ -1659,19 +1701,23 @@ module stream_fifo_d64_w188 (
     output reg  out_valid, input wire out_ready, output wire [187:0] out_data
 );
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     wire [187:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(188), .DEPTH(64)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1679,15 +1725,23 @@ module stream_fifo_d64_w188 (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -1696,10 +1750,14 @@ module stream_fifo_d64_w188 (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1718,13 +1776,17 @@ module stream_fifo_d64_w9_distributed (
     (* ram_style = "distributed" *)
     reg [8:0] entries [0:63];
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     reg [8:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1733,19 +1795,27 @@ module stream_fifo_d64_w9_distributed (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1754,10 +1824,14 @@ module stream_fifo_d64_w9_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1765,7 +1839,7 @@ module stream_fifo_d64_w9_distributed (
 endmodule
 
 // Weighted depth and attributes of a sample.
-// latency = 3
+// latency = 4
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk, input wire rst,
@@ -1795,12 +1869,20 @@ module splat_weighting (
     output wire [27:0] out_attribute_2  // Weighted continuous attributes, and cardinal ones as they are.
 );
     reg [3:0] credits;
-    reg last_d1, last_d2, last_d3, inside_d1, inside_d2, inside_d3, slot_d1, slot_d2, slot_d3;
-    reg [5:0] pixel_d1, pixel_d2, pixel_d3;
-    reg [15:0] weight_d1, weight_d2, weight_d3;
-    reg [23:0] depth_low_d1, depth_low_d2, depth_low_d3, depth_high_d1, depth_high_d2, depth_high_d3;
-    reg [27:0] attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1;
-    reg [2:0] in_flight;
+    reg last_d1, last_d2, last_d3, last_d4, inside_d1, inside_d2, inside_d3, inside_d4, slot_d1, slot_d2;
+    reg slot_d3, slot_d4;
+    reg [5:0] pixel_d1, pixel_d2, pixel_d3, pixel_d4;
+    reg [15:0] weight_d1, weight_d2, weight_d3, weight_d4;
+    reg [23:0] depth_d1, depth_low_d1, depth_low_d2, depth_low_d3, depth_low_d4, depth_high_d1, depth_high_d2;
+    reg [23:0] depth_high_d3, depth_high_d4;
+    reg [16:0] factor_d1;
+    reg [11:0] attribute_0_d1;
+    reg [27:0] attribute_0_out_d1;
+    reg [11:0] attribute_1_d1;
+    reg [27:0] attribute_1_out_d1;
+    reg [11:0] attribute_2_d1;
+    reg [27:0] attribute_2_out_d1;
+    reg [3:0] in_flight;
     reg left;
 
     wire [39:0] mul_u16_u24_unit_y;
@@ -1811,9 +1893,9 @@ module splat_weighting (
     wire [83:0] queue_2_out_data;
 
     assign in_ready = ~credits[3];
-    wire [16:0] factor = {1'd0, in_weight};
-    wire kept = in_flight[2];
+    wire kept = in_flight[3];
     wire in_valid_and_in_ready = in_valid & in_ready;
+    wire [16:0] factor = {1'd0, in_weight};
 
     assign {
         out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
@@ -1822,28 +1904,28 @@ module splat_weighting (
     assign {out_attribute_0, out_attribute_1, out_attribute_2} = queue_2_out_data;
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(1'd1), .a(in_weight), .b(in_depth), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_d1), .b(depth_d1), .y(mul_u16_u24_unit_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit (
-        .clk(clk), .enable(1'd1), .a(factor), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
+        .clk(clk), .enable(1'd1), .a(factor_d1), .b(attribute_0_d1), .y(mul_s17_s12_unit_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(factor), .b(in_attribute_1), .y(mul_s17_s12_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(factor_d1), .b(attribute_1_d1), .y(mul_s17_s12_unit_copy2_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(factor), .b(in_attribute_2), .y(mul_s17_s12_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(factor_d1), .b(attribute_2_d1), .y(mul_s17_s12_unit_copy3_y)
     );
 
-    stream_fifo_d7_w113_distributed queue_1 (
+    stream_fifo_d8_w113_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({last_d3, inside_d3, slot_d3, pixel_d3, weight_d3, mul_u16_u24_unit_y, depth_low_d3, depth_high_d3}),
+        .in_data({last_d4, inside_d4, slot_d4, pixel_d4, weight_d4, mul_u16_u24_unit_y, depth_low_d4, depth_high_d4}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d7_w84_distributed queue_2 (
+    stream_fifo_d8_w84_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
@@ -1851,12 +1933,12 @@ module splat_weighting (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 4'd6;
-            in_flight <= 3'd0;
+            credits <= 4'd7;
+            in_flight <= 4'd0;
             left <= 1'd0;
         end else begin
             credits <= (credits - {3'd0, in_valid_and_in_ready}) + {3'd0, left};
-            in_flight <= {in_flight[1:0], in_valid_and_in_ready};
+            in_flight <= {in_flight[2:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
         end
     end
@@ -1864,26 +1946,38 @@ module splat_weighting (
         last_d1 <= in_last;
         last_d2 <= last_d1;
         last_d3 <= last_d2;
+        last_d4 <= last_d3;
         inside_d1 <= in_inside;
         inside_d2 <= inside_d1;
         inside_d3 <= inside_d2;
+        inside_d4 <= inside_d3;
         slot_d1 <= in_slot;
         slot_d2 <= slot_d1;
         slot_d3 <= slot_d2;
+        slot_d4 <= slot_d3;
         pixel_d1 <= in_pixel;
         pixel_d2 <= pixel_d1;
         pixel_d3 <= pixel_d2;
+        pixel_d4 <= pixel_d3;
         weight_d1 <= in_weight;
         weight_d2 <= weight_d1;
         weight_d3 <= weight_d2;
+        weight_d4 <= weight_d3;
+        depth_d1 <= in_depth;
         depth_low_d1 <= in_depth_low;
         depth_low_d2 <= depth_low_d1;
         depth_low_d3 <= depth_low_d2;
+        depth_low_d4 <= depth_low_d3;
         depth_high_d1 <= in_depth_high;
         depth_high_d2 <= depth_high_d1;
         depth_high_d3 <= depth_high_d2;
+        depth_high_d4 <= depth_high_d3;
+        factor_d1 <= factor;
+        attribute_0_d1 <= in_attribute_0;
         attribute_0_out_d1 <= mul_s17_s12_unit_y[27:0];
+        attribute_1_d1 <= in_attribute_1;
         attribute_1_out_d1 <= mul_s17_s12_unit_copy2_y[27:0];
+        attribute_2_d1 <= in_attribute_2;
         attribute_2_out_d1 <= mul_s17_s12_unit_copy3_y[27:0];
     end
 
@@ -1914,56 +2008,73 @@ module splat_weighting (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 7
+// depth = 8
 // width = 84
 // storage = distributed
-module stream_fifo_d7_w84_distributed (
+module stream_fifo_d8_w84_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [83:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [83:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [83:0] entries [0:6];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [83:0] entries [0:7];
+    reg [3:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [83:0] item;
 
-    wire has_room = ~(held == 3'd7);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [3:0] held_bits = {{3{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 3'd0;
-            waiting <= 3'd0;
+            held <= 4'd0;
+            waiting <= 4'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 4'd7);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 4'd1);
+            end
+            if (push) write_address <= write_address + 3'd1;
+            if (fetch) read_address <= read_address + 3'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd6) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd6) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (1'd1);
-        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        held_in_range: assert (held <= 4'd8);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 4'd8)) & (any_waits == |waiting));
 `else
-        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {2'd0, out_valid}))) begin
+        if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 4'd8)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1971,56 +2082,73 @@ module stream_fifo_d7_w84_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 7
+// depth = 8
 // width = 113
 // storage = distributed
-module stream_fifo_d7_w113_distributed (
+module stream_fifo_d8_w113_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [112:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [112:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [112:0] entries [0:6];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [112:0] entries [0:7];
+    reg [3:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [112:0] item;
 
-    wire has_room = ~(held == 3'd7);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [3:0] held_bits = {{3{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 3'd0;
-            waiting <= 3'd0;
+            held <= 4'd0;
+            waiting <= 4'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 4'd7);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 4'd1);
+            end
+            if (push) write_address <= write_address + 3'd1;
+            if (fetch) read_address <= read_address + 3'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd6) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd6) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (1'd1);
-        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        held_in_range: assert (held <= 4'd8);
+        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 4'd8)) & (any_waits == |waiting));
 `else
-        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {2'd0, out_valid}))) begin
+        if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {3'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 4'd8)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2122,7 +2250,7 @@ module splat_rasterizer (
     output reg  event_starved,  // The rasterizer had no copy to work on.
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
-    reg busy, idle, is_last, slot;
+    reg busy, idle, walks, is_last, slot;
     reg [11:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
     reg [3:0] first_sum;  // Smallest sum.
@@ -2148,23 +2276,24 @@ module splat_rasterizer (
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [107:0] shared_out_data;
 
-    wire take = evaluation_in_ready & idle & shared_in_ready;
-    wire load = take & in_valid;
-    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
-    wire [3:0] idle_bits = {1'd0, ~in_top};
-    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
-    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
-    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
-    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
-    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
-    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
-    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
-    wire idle_same = {in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]};
+    wire take = evaluation_in_ready & idle;
+    wire load = evaluation_in_ready & ~walks & in_valid;
+    wire [3:0] column_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] row_end_bits = {1'd0, ~in_top};
+    wire [3:0] column_choice_2 = (in_first_difference < row_end_bits) ? 4'd0 : (in_first_difference - row_end_bits);
+    wire [3:0] column_choice_3 = (column_choice < column_choice_2) ? column_choice_2 : column_choice;
+    wire [3:0] column_choice_4 = (column_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : column_choice_3;
+    wire [3:0] row_end_choice = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] row_end_choice_2 = (in_last_difference < row_end_bits) ? 4'd0 : (in_last_difference - row_end_bits);
+    wire [3:0] row_end_choice_3 = (row_end_choice < row_end_choice_2) ? row_end_choice : row_end_choice_2;
+    wire [3:0] row_end_choice_4 = (row_end_choice_3 < {1'd0, in_right}) ? row_end_choice_3 : {1'd0, in_right};
+    wire is_last_same = {in_top, column_choice_4[2:0]} == {in_bottom, row_end_choice_4[2:0]};
     wire row_done = column == row_end;
-    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
-    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
-    wire idle_same_2 = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
-    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] row_choice = row_done ? (row + 3'd1) : row;
+    wire [2:0] column_choice_5 = row_done ? next_begin : (column + 3'd1);
+    wire is_last_same_2 = {row_choice, column_choice_5} == {bottom, row_done ? next_end : row_end};
+    wire idle_choice = idle ? (~in_valid | is_last_same) : is_last_same_2;
+    wire row_end_enable_both = evaluation_in_ready & (idle | row_done);
     wire [2:0] in_top_plus_1 = in_top + 3'd1;
     wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
     wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
@@ -2213,13 +2342,15 @@ module splat_rasterizer (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
+            walks <= 1'd0;
             event_sample <= 1'd0;
             event_starved <= 1'd0;
             event_blocked <= 1'd0;
         end else begin
             if (evaluation_in_ready) begin
-                busy <= load | (busy & ~is_last);
-                idle <= load ? idle_same : (~busy | (is_last | idle_same_2));
+                busy <= idle ? in_valid : busy;
+                idle <= idle_choice;
+                walks <= ~idle_choice;
             end
             event_sample <= evaluation_in_ready & busy;
             event_starved <= evaluation_in_ready & ~busy;
@@ -2228,9 +2359,9 @@ module splat_rasterizer (
     end
     always @(posedge clk) begin
         if (evaluation_in_ready) begin
-            is_last <= load ? idle_same : idle_same_2;
-            column <= load ? idle_choice_4[2:0] : idle_choice_10;
-            row <= load ? in_top : idle_choice_9;
+            is_last <= idle ? is_last_same : is_last_same_2;
+            column <= idle ? column_choice_4[2:0] : column_choice_5;
+            row <= idle ? in_top : row_choice;
         end
         if (take) begin
             slot <= in_slot;
@@ -2259,27 +2390,34 @@ module splat_rasterizer (
             sight_disc <= in_sight_disc;
         end
         if (row_end_enable_both) begin
-            row_end <= load ? idle_choice_8[2:0] : next_end;
-            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
-            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
+            row_end <= idle ? row_end_choice_4[2:0] : next_end;
+            next_begin <= idle ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= idle ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
     wire _unused = &{
-        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
-        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+        1'b0, column_choice_4[3], next_begin_choice_4[3], next_begin_choice_8[3], next_end_choice_4[3],
+        next_end_choice_8[3], row_end_choice_4[3], shared_in_ready, shared_out_valid
     };
 
 `ifdef RTL_ASSERT
     wire check_either = (in_top == in_bottom) | (next_begin_choice_4 <= next_end_choice_4);
-    wire check_either_2 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
+    wire check_either_2 = ~(take & in_valid) | ((column_choice_4 <= row_end_choice_4) & check_either);
+    wire check_either_3 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        rows_have_samples: assert ((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2));
+        rows_have_samples: assert (check_either_2 & (~busy | check_either_3));
+        walks_unless_idle: assert (walks ^ idle);
+        shared_has_room: assert (~load | shared_in_ready);
 `else
-        if (!((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2))) begin
+        if (!(check_either_2 & (~busy | check_either_3))) begin
             $display("assertion failed: rows_have_samples in %m"); $stop;
+        end
+        if (!(walks ^ idle)) begin $display("assertion failed: walks_unless_idle in %m"); $stop; end
+        if (!(~load | shared_in_ready)) begin
+            $display("assertion failed: shared_has_room in %m"); $stop;
         end
 `endif
     end
@@ -2295,19 +2433,23 @@ module stream_fifo_d64_w108 (
     output reg  out_valid, input wire out_ready, output wire [107:0] out_data
 );
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     wire [107:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(108), .DEPTH(64)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2315,15 +2457,23 @@ module stream_fifo_d64_w108 (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -2332,10 +2482,14 @@ module stream_fifo_d64_w108 (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2951,13 +3105,18 @@ module stream_fifo_d41_w25_distributed (
 );
     (* ram_style = "distributed" *)
     reg [24:0] entries [0:40];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [24:0] item;
 
-    wire has_room = ~(held == 6'd41);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -2966,19 +3125,27 @@ module stream_fifo_d41_w25_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd40);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= (write_address == 6'd40) ? 6'd0 : (write_address + 6'd1);
             if (fetch) read_address <= (read_address == 6'd40) ? 6'd0 : (read_address + 6'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -2987,10 +3154,14 @@ module stream_fifo_d41_w25_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd41);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd41)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd41)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd41)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -3456,7 +3627,7 @@ module splat_tile_cache (
     reg clearing, clearing_second;
     reg [12:0] cleared;
     reg surface;
-    reg [63:0] mask;
+    reg [64:0] mask;
     reg looking;
     reg [1:0] unchanged;
     reg changed, moving, slot, comes;
@@ -3491,8 +3662,9 @@ module splat_tile_cache (
     reg any_next_place;
     reg [11:0] looked_at;
     reg look_reads, look_is_shown, look_is_seen;
-    reg [63:0] seen_mask;
+    reg [64:0] seen_mask;
     reg seen_stays, missed;
+    wire any_is_stored;
     wire [63:0] stored_mask;
     reg arrived;
     reg arrived_end;  // Closes the frame.
@@ -3524,7 +3696,7 @@ module splat_tile_cache (
 
     wire frame_is_whole = arrived & arrived_end;
     wire full_either = clearing | (clearing_second & (arriving_surface | frame_is_whole));
-    wire [63:0] mask_that_comes = {64{comes}} & mask;
+    wire [63:0] mask_that_comes = {64{comes}} & mask[63:0];
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
     wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
     wire leaving_place_either = leaving_left[0] | leaving_left[1];
@@ -3547,30 +3719,32 @@ module splat_tile_cache (
     wire may_fill_either = ~any_leaving | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
     wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
     wire fills = filling & ~fills_shifted[0];
-    wire may_fill = moving & may_fill_either & (~filling | fills);
+    wire fill_is_free = ~filling | fills;
+    wire may_fill = moving & may_fill_either & fill_is_free;
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
     wire word_is_cleared_both = clearing_second & ~(changed | look_is_seen | (arrived | forgets));
     wire word_is_cleared = clearing | word_is_cleared_both;
-    wire may_leave = |seen_mask & ~seen_stays;
+    wire may_leave = seen_mask[64] & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
     wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
+    wire stored_masks_write_either = mask_is_kept | word_is_cleared | sends;
     wire surface_xor_frame_is_given = surface ^ frame_is_given;
     wire [12:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
+    wire [12:0] stored_masks_address_choice = word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits;
     wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
-    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire copy_hit = |{is_of_copy_0, is_of_copy_1};
     wire end_waits_either_2 = end_waits_either | (changed | moving);
     wire not_end_waits_either_2 = ~end_waits_either_2;
     wire misses = head_waits_and_not_head_end & ~copy_hit & (not_end_waits_either_2 & next_idle);
+    wire [12:0] any_is_stored_address_choice = misses ? {surface, head_tile} : stored_masks_address_bits;
     wire copy_enters = arrived & ~arrived_end;
     wire head_takes = ~head_valid;
     wire look_is_read_both = head_takes & in_queue_out_valid;
     wire [11:0] in_queue_out_tile = in_queue_out_data[21:10];
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
+    wire send_both = out_queue_in_ready & ~((is_of_copy_0 & &in_flight_0) | (is_of_copy_1 & &in_flight_1));
+    wire send = head_waits_and_not_head_end & (copy_hit & send_both);
     wire looks_at_none = ~(look_reads | (look_is_shown | look_is_seen));
     wire frame_leaves_and_looks_at_none = frame_leaves & looks_at_none;
     wire closes_both = frame_leaves_and_looks_at_none & (frame_is_given & ~any_next_place & ~gone_tiles_out_valid);
@@ -3646,6 +3820,7 @@ module splat_tile_cache (
     };
     wire [7:0] wanted_left_both = wanted_left & ~({8{asks}} & wanted_run);
     wire wanted_row_ends = wanted_left_both == 8'd0;
+    wire [64:0] wanted_rest_choice = sends ? seen_mask : mask;
     wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
     wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
     wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
@@ -3677,7 +3852,6 @@ module splat_tile_cache (
     wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_left_bits_6 & wanted_rest[23:16]) | (wanted_left_bits_5 & wanted_rest[31:24]);
     wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_left_bits_4 & wanted_rest[39:32]) | (wanted_left_bits_3 & wanted_rest[47:40]);
     wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_left_bits_2 & wanted_rest[55:48]) | (wanted_left_bits & wanted_rest[63:56]);
-    wire fill_pixel_enable_both = beat & ~asked_runs_out_leaves;
     wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
     wire drains = offers_drain & ~drains_shifted[0];
     wire [7:0] leaving_left_bits = {
@@ -3728,16 +3902,20 @@ module splat_tile_cache (
     wire starts_and_not_next = starts & ~next;
     wire done_and_comes = done & comes;
     wire done_and_comes_and_not_slot = done_and_comes & ~slot;
-    wire send_and_not_copy_slot = send & ~copy_slot;
+    wire send_and_not_is_of_copy_1 = send & ~is_of_copy_1;
     wire in_flight_0_enable_both = retire_valid & ~retire_slot;
+    wire not_starts_and_not_next = ~starts_and_not_next;
+    wire is_of_copy_0_both = resident_0 & not_starts_and_not_next & (tile_0 == in_queue_out_tile);
     wire start_and_next = start & next;
     wire starts_and_next = starts & next;
     wire done_and_comes_and_slot = done_and_comes & slot;
-    wire send_and_copy_slot = send & copy_slot;
+    wire send_and_is_of_copy_1 = send & is_of_copy_1;
     wire retire_valid_and_retire_slot = retire_valid & retire_slot;
+    wire not_starts_and_next = ~starts_and_next;
     wire next_idle_either = (in_flight_0 == 8'd0) | ((in_flight_0 == 8'd1) & in_flight_0_enable_both);
+    wire next_idle_both = ~next & (next_idle_either & ~(send_and_not_is_of_copy_1 | used_0));
     wire next_idle_either_2 = (in_flight_1 == 8'd0) | ((in_flight_1 == 8'd1) & retire_valid_and_retire_slot);
-    wire next_idle_either_3 = (~next & (next_idle_either & ~(send_and_not_copy_slot | used_0))) | (next & (next_idle_either_2 & ~(send_and_copy_slot | used_1)));
+    wire next_idle_either_3 = next_idle_both | (next & (next_idle_either_2 & ~(send_and_is_of_copy_1 | used_1)));
     wire frame_begins_to_leave = |whole_frames & ~frame_leaves;
     wire looks_at_next = looks & ~gone_tiles_out_valid & any_next_place;
     wire next_place_enable_either = frame_begins_to_leave | looks_at_next;
@@ -3778,11 +3956,15 @@ module splat_tile_cache (
     assign fill_slot = slot;
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
-        .clk(clk), .write(mask_is_kept | word_is_cleared | sends),
-        .write_address(word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
+        .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
         .write_data({64{mask_is_kept}} & masks_written),
-        .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
-        .read_data(stored_mask)
+        .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(stored_mask)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(8192)) stored_any (
+        .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
+        .write_data(mask_is_kept & |masks_written),
+        .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(any_is_stored)
     );
 
     memory_1w1r_unordered #(.WIDTH(11), .DEPTH(8192)) last_copies (
@@ -3807,7 +3989,7 @@ module splat_tile_cache (
         .clk(clk), .rst(rst), .in_valid(send), .in_ready(out_queue_in_ready),
         .in_data({
             head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum, head_first_difference,
-            head_last_difference, head_tile, head_splat, copy_slot
+            head_last_difference, head_tile, head_splat, is_of_copy_1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -3877,10 +4059,12 @@ module splat_tile_cache (
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
             used_0 <= 1'd0;
+            is_of_copy_0 <= 1'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
             used_1 <= 1'd0;
+            is_of_copy_1 <= 1'd0;
             next_idle <= 1'd0;
             turn_is_new <= 1'd1;
             frame_leaves <= 1'd0;
@@ -3904,16 +4088,18 @@ module splat_tile_cache (
             unchanged <= still_unchanged | {2{looking}};
             changed <= change;
             wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_left_both;
-            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | |mask)));
+            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | mask[64])));
             awaited_fills <= (awaited_fills + {5'd0, asks & ~wanted_leaves}) - {5'd0, run_ends & ~asked_runs_out_leaves};
             awaited_leaving <= (awaited_leaving + {5'd0, asks & wanted_leaves}) - {5'd0, run_ends & asked_runs_out_leaves};
-            filling <= fill_pixel_enable_both | (filling & ~fills);
+            filling <= (beat & ~asked_runs_out_leaves) | (filling & ~fills);
             taken_banks <= sample_writes;
             leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_left_both;
             any_leaving <= ~leaving_row_ends | (|leaving_rest | (mask_is_kept & |masks_dirty));
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
-            used_0 <= send_and_not_copy_slot | (used_0 & next);
-            used_1 <= send_and_copy_slot | (used_1 & ~next);
+            used_0 <= send_and_not_is_of_copy_1 | (used_0 & next);
+            is_of_copy_0 <= head_takes ? is_of_copy_0_both : (start_and_not_next | (is_of_copy_0 & not_starts_and_not_next));
+            used_1 <= send_and_is_of_copy_1 | (used_1 & ~next);
+            is_of_copy_1 <= head_takes ? (resident_1 & not_starts_and_next & (tile_1 == in_queue_out_tile)) : (start_and_next | (is_of_copy_1 & not_starts_and_next));
             next_idle <= next_idle_either_3 & ~turns;
             turn_is_new <= turns;
             look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
@@ -3930,7 +4116,7 @@ module splat_tile_cache (
             if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
-                wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
+                wanted_rest <= begins ? wanted_rest_choice[63:0] : (wanted_rest & ~wanted_rest_bits);
             end
             if (begins) wanted_leaves <= sends;
             if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
@@ -3942,13 +4128,13 @@ module splat_tile_cache (
             if (done_and_comes_and_not_slot | starts_and_not_next) begin
                 ready_0 <= done_and_comes_and_not_slot;
             end
-            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
-                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (send_and_not_is_of_copy_1 ^ in_flight_0_enable_both) begin
+                in_flight_0 <= send_and_not_is_of_copy_1 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
             if (starts_and_next) resident_1 <= start_and_next;
             if (done_and_comes_and_slot | starts_and_next) ready_1 <= done_and_comes_and_slot;
-            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
-                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (send_and_is_of_copy_1 ^ retire_valid_and_retire_slot) begin
+                in_flight_1 <= send_and_is_of_copy_1 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
             if (frame_begins_to_leave | closes) frame_leaves <= frame_begins_to_leave;
             if (switches | closes) frame_is_given <= switches;
@@ -3971,7 +4157,7 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
             head_splat <= in_queue_out_splat;
         end
-        if (looking) mask <= stored_mask;
+        if (looking) mask <= {any_is_stored, stored_mask};
         if (job_starts) begin
             slot <= next;
             comes <= start;
@@ -3986,25 +4172,23 @@ module splat_tile_cache (
         end
         if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
         if (start_and_not_next) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
-        arrived_end <= arrives_end;
-        arrived_tile <= arrives_tile;
-        arrived_splat <= arrives_splat;
-        found_valid <= last_copy[10];
-        found_splat <= last_copy[9:0];
-        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (start_and_next) tile_1 <= head_tile;
         if (next_place_enable_either) begin
             next_place <= frame_begins_to_leave ? 12'd0 : (next_place + 12'd1);
         end
         if (looks) looked_at <= gone_tiles_out_valid ? gone_tiles_out_data : next_place;
         if (look_is_shown) begin
-            seen_mask <= stored_mask;
+            seen_mask <= {any_is_stored, stored_mask};
             seen_stays <= last_copy[10] | (seen_stays_either_2 & ~frame_is_given);
         end
+        arrived_end <= arrives_end;
+        arrived_tile <= arrives_tile;
+        arrived_splat <= arrives_splat;
+        found_valid <= last_copy[10];
+        found_splat <= last_copy[9:0];
+        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (last_reached) forgotten <= {surface, head_tile};
-        if (fill_pixel_enable_both) begin
+        if (fill_is_free) begin
             fill_pixel <= coming_pixel;
             fill_weight <= data_weight;
             fill_depth <= data_depth;
@@ -4014,7 +4198,7 @@ module splat_tile_cache (
         end
     end
 
-    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], write_queue_in_ready};
+    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], wanted_rest_choice[64], write_queue_in_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -4053,13 +4237,17 @@ module stream_fifo_d8_w219_distributed (
     (* ram_style = "distributed" *)
     reg [218:0] entries [0:7];
     reg [3:0] held, waiting;
+    reg is_full, any_waits;
     reg [2:0] write_address, read_address;
     reg [218:0] item;
 
-    wire has_room = ~held[3];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [3:0] held_bits = {{3{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -4068,19 +4256,27 @@ module stream_fifo_d8_w219_distributed (
         if (rst) begin
             held <= 4'd0;
             waiting <= 4'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 4'd7);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 4'd1);
+            end
             if (push) write_address <= write_address + 3'd1;
             if (fetch) read_address <= read_address + 3'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -4089,10 +4285,14 @@ module stream_fifo_d8_w219_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 4'd8);
         held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 4'd8)) & (any_waits == |waiting));
 `else
         if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {3'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 4'd8)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -4111,13 +4311,17 @@ module stream_fifo_d32_w23_distributed (
     (* ram_style = "distributed" *)
     reg [22:0] entries [0:31];
     reg [5:0] held, waiting;
+    reg is_full, any_waits;
     reg [4:0] write_address, read_address;
     reg [22:0] item;
 
-    wire has_room = ~held[5];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -4126,19 +4330,27 @@ module stream_fifo_d32_w23_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd31);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= write_address + 5'd1;
             if (fetch) read_address <= read_address + 5'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -4147,10 +4359,14 @@ module stream_fifo_d32_w23_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd32);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd32)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd32)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -4169,13 +4385,17 @@ module stream_fifo_d16_w12_distributed (
     (* ram_style = "distributed" *)
     reg [11:0] entries [0:15];
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     reg [11:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -4184,19 +4404,27 @@ module stream_fifo_d16_w12_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -4205,10 +4433,14 @@ module stream_fifo_d16_w12_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -4220,37 +4452,38 @@ endmodule
 module stream_skid_w219 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [218:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [218:0] out_data
+    output wire out_valid, input wire out_ready, output wire [218:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [218:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -4270,13 +4503,17 @@ module stream_fifo_d16_w51_distributed (
     (* ram_style = "distributed" *)
     reg [50:0] entries [0:15];
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     reg [50:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -4285,19 +4522,27 @@ module stream_fifo_d16_w51_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -4306,10 +4551,14 @@ module stream_fifo_d16_w51_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5452,37 +5701,38 @@ endmodule
 module stream_skid_w22 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5497,17 +5747,17 @@ module stream_half_buffer_w51 (
     input  wire in_valid, output wire in_ready, input wire [50:0] in_data,
     output wire out_valid, input wire out_ready, output wire [50:0] out_data
 );
-    reg full;
+    reg filled;
     reg [50:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -6015,37 +6265,38 @@ endmodule
 module stream_skid_w51 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [50:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [50:0] out_data
+    output wire out_valid, input wire out_ready, output wire [50:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [50:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6062,19 +6313,23 @@ module stream_fifo_d1024_w10 (
     output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     reg [10:0] held, waiting;
+    reg is_full, any_waits;
     reg [9:0] write_address, read_address;
     wire [9:0] item;
 
-    wire has_room = ~held[10];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [10:0] held_bits = {{10{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -6082,15 +6337,23 @@ module stream_fifo_d1024_w10 (
         if (rst) begin
             held <= 11'd0;
             waiting <= 11'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 10'd0;
             read_address <= 10'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {10'd0, push}) - {10'd0, pop};
-            waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 11'd1023);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 11'd1);
+            end
             if (push) write_address <= write_address + 10'd1;
             if (fetch) read_address <= read_address + 10'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -6099,10 +6362,14 @@ module stream_fifo_d1024_w10 (
 `ifdef FORMAL
         held_in_range: assert (held <= 11'h400);
         held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 11'h400)) & (any_waits == |waiting));
 `else
         if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {10'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 11'h400)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -6114,37 +6381,38 @@ endmodule
 module stream_skid_w23 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [22:0] out_data
+    output wire out_valid, input wire out_ready, output wire [22:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [22:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6249,96 +6517,116 @@ module splat_splitter (
     reg right_most, bottom_most;
     reg [5:0] column, row;
     reg [2:0] left, right, top, bottom;
-    reg [11:0] first_sum_here, first_sum_row_begins;
+    reg [11:0] first_sum_here, first_sum_row_begins, last_sum_here, last_sum_row_begins, first_difference_here;
+    reg [11:0] first_difference_row_begins, last_difference_here, last_difference_row_begins;
     reg [3:0] first_sum;
-    reg [11:0] last_sum_here, last_sum_row_begins;
-    reg [4:0] last_sum;
-    reg [11:0] first_difference_here, first_difference_row_begins;
-    reg [3:0] first_difference;
-    reg [11:0] last_difference_here, last_difference_row_begins;
-    reg [4:0] last_difference;
-    reg first;
+    reg [4:0] last_sum, last_difference;
+    reg [3:0] not_first_difference;
+    reg [4:0] not_last_difference;
+    reg first_sum_not_half, last_sum_not_half, last_sum_not_negative, last_sum_over_half, holds_0, holds_1;
+    reg holds_2, holds_3, stepped, opened, was_first;
 
     wire out_queue_in_ready;
     wire [364:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & open;
     wire step = out_queue_in_ready & busy;
-    wire [4:0] occupied_difference = {~last_sum[4], last_sum[3:0]} - {2'd0, left};
-    wire occupied_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= occupied_difference);
-    wire [4:0] occupied_sum = {2'd3, right} + ~{1'd0, first_difference};
-    wire [5:0] occupied_sum_2 = {1'd1, last_sum[3] & ~last_sum[4], ~last_sum[3], last_sum[2:0]} + ~{2'd0, first_difference};
-    wire occupied_both_2 = occupied_both & ({2'd2, top} <= occupied_sum) & ({2'd2, top} <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_difference_2 = {1'd1, first_sum} - {2'd0, right};
-    wire occupied_both_3 = occupied_both_2 & (occupied_difference_2 <= {2'd2, bottom}) & (occupied_difference_2 <= occupied_difference);
-    wire occupied_both_4 = occupied_both_3 & (occupied_difference_2 <= occupied_sum) & (occupied_difference_2 <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_sum_3 = {2'd3, left} + ~last_difference;
-    wire occupied_both_5 = occupied_both_4 & (occupied_sum_3 <= {2'd2, bottom}) & (occupied_sum_3 <= occupied_difference);
-    wire occupied_both_6 = occupied_both_5 & (occupied_sum_3 <= occupied_sum) & (occupied_sum_3 <= occupied_sum_2[5:1]);
-    wire [5:0] occupied_difference_3 = {1'd1, first_sum[3], ~first_sum[3], first_sum[2:0]} - {last_difference[4], last_difference};
-    wire occupied_both_7 = occupied_both_6 & (occupied_difference_3[5:1] <= {2'd2, bottom}) & (occupied_difference_3[5:1] <= occupied_difference);
-    wire occupied_both_8 = occupied_both_7 & (occupied_difference_3[5:1] <= occupied_sum) & (occupied_difference_3[5:1] <= occupied_sum_2[5:1]);
-    wire occupied = splat_end | occupied_both_8;
-    wire push = step & occupied;
-    wire out_queue_in_data_in_order = occupied_difference_2 <= {2'd2, top};
-    wire out_queue_in_data_in_order_2 = occupied_sum_3 <= {2'd2, top};
-    wire out_queue_in_data_in_order_3 = occupied_difference_3[5:1] <= {2'd2, top};
+    wire kept = holds_0 & holds_1 & holds_2 & holds_3;
+    wire first = opened | (was_first & ~(stepped & kept));
+    wire [4:0] holds_1_difference = {1'd1, first_sum} - {2'd0, right};
+    wire out_queue_in_data_in_order = holds_1_difference <= {2'd2, top};
+    wire [4:0] holds_2_sum = {2'd3, left} + not_last_difference;
+    wire out_queue_in_data_in_order_2 = holds_2_sum <= {2'd2, top};
+    wire [5:0] holds_3_difference = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
+    wire out_queue_in_data_in_order_3 = holds_3_difference[5:1] <= {2'd2, top};
     wire out_queue_in_data_both = out_queue_in_data_in_order & out_queue_in_data_in_order_2 & out_queue_in_data_in_order_3;
-    wire out_queue_in_data_in_order_4 = occupied_sum_3 <= occupied_difference_2;
-    wire out_queue_in_data_in_order_5 = occupied_difference_3[5:1] <= occupied_difference_2;
+    wire out_queue_in_data_in_order_4 = holds_2_sum <= holds_1_difference;
+    wire out_queue_in_data_in_order_5 = holds_3_difference[5:1] <= holds_1_difference;
     wire out_queue_in_data_both_2 = ~out_queue_in_data_in_order & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
-    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & occupied_difference_2);
-    wire out_queue_in_data_in_order_6 = occupied_difference_3[5:1] <= occupied_sum_3;
+    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & holds_1_difference);
+    wire out_queue_in_data_in_order_6 = holds_3_difference[5:1] <= holds_2_sum;
     wire out_queue_in_data_both_3 = ~out_queue_in_data_in_order_2 & ~out_queue_in_data_in_order_4 & out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & occupied_sum_3);
+    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & holds_2_sum);
     wire out_queue_in_data_both_4 = ~out_queue_in_data_in_order_3 & ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & occupied_difference_3[5:1]);
-    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= occupied_difference;
-    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= occupied_sum;
-    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= occupied_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & holds_3_difference[5:1]);
+    wire [4:0] holds_0_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
+    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= holds_0_difference;
+    wire [4:0] holds_0_sum = {2'd3, right} + {1'd1, not_first_difference};
+    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= holds_0_sum;
+    wire [5:0] holds_0_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
+    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_5 = out_queue_in_data_in_order_7 & out_queue_in_data_in_order_8 & out_queue_in_data_in_order_9;
-    wire out_queue_in_data_in_order_10 = occupied_difference <= occupied_sum;
-    wire out_queue_in_data_in_order_11 = occupied_difference <= occupied_sum_2[5:1];
+    wire out_queue_in_data_in_order_10 = holds_0_difference <= holds_0_sum;
+    wire out_queue_in_data_in_order_11 = holds_0_difference <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_6 = ~out_queue_in_data_in_order_7 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
-    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & occupied_difference);
-    wire out_queue_in_data_in_order_12 = occupied_sum <= occupied_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & holds_0_difference);
+    wire out_queue_in_data_in_order_12 = holds_0_sum <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_7 = ~out_queue_in_data_in_order_8 & ~out_queue_in_data_in_order_10 & out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & occupied_sum);
+    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & holds_0_sum);
     wire out_queue_in_data_both_8 = ~out_queue_in_data_in_order_9 & ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & occupied_sum_2[5:1]);
-    wire take = ready & in_valid;
-    wire moves = take | step;
+    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & holds_0_sum_2[5:1]);
     wire one_column = in_left[8:3] == in_right[8:3];
     wire one_row = in_top[8:3] == in_bottom[8:3];
     wire [5:0] column_plus_1 = column + 6'd1;
     wire reaches_right = right_most ? (splat_left[8:3] == splat_right[8:3]) : (column_plus_1 == splat_right[8:3]);
     wire [5:0] row_plus_1 = row + 6'd1;
     wire reaches_bottom = row_plus_1 == splat_bottom[8:3];
-    wire open_either = open | (reaches_right & (right_most ? reaches_bottom : bottom_most));
-    wire wraps = step & right_most;
-    wire take_or_wraps = take | wraps;
-    wire [11:0] first_sum_row_begins_bits = {3'd0, in_left[8:3], 3'd0};
-    wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
-    wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
+    wire turns = out_queue_in_ready & (open | right_most);
+    wire [11:0] first_sum_arrives_inverted = ~{3'd0, in_left[8:3], 3'd0};
+    wire [11:0] first_sum_arrives_inverted_2 = ~{3'd0, in_top[8:3], 3'd0};
+    wire [11:0] first_sum_arrives_unequal = {2'd0, in_first_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
+    wire [11:0] first_sum_arrives_either = ({2'd0, in_first_sum} & first_sum_arrives_inverted) | ({2'd0, in_first_sum} & first_sum_arrives_inverted_2);
+    wire [11:0] first_sum_arrives_both = first_sum_arrives_inverted & first_sum_arrives_inverted_2;
+    wire [11:0] first_sum_arrives_either_2 = first_sum_arrives_either | first_sum_arrives_both;
+    wire [11:0] first_sum_arrives = first_sum_arrives_unequal - ~{first_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
-    wire [11:0] first_sum_next_choice = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
-    wire [11:0] first_sum_next = open ? first_sum_row_begins_difference : first_sum_next_choice;
-    wire [11:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
+    wire [11:0] first_sum_moved = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] last_sum_arrives_unequal = {2'd0, in_last_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
+    wire [11:0] last_sum_arrives_either = ({2'd0, in_last_sum} & first_sum_arrives_inverted) | ({2'd0, in_last_sum} & first_sum_arrives_inverted_2);
+    wire [11:0] last_sum_arrives_either_2 = last_sum_arrives_either | first_sum_arrives_both;
+    wire [11:0] last_sum_arrives = last_sum_arrives_unequal - ~{last_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 12'd8;
-    wire [11:0] last_sum_next_choice = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
-    wire [11:0] last_sum_next = open ? last_sum_row_begins_difference : last_sum_next_choice;
-    wire [3:0] last_sum_choice = (|last_sum_next[10:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
-    wire [11:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
-    wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
+    wire [11:0] last_sum_moved = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_difference_arrives_inverted = ~{3'd0, ~in_top[8:3], 3'd0};
+    wire [11:0] first_difference_arrives_unequal = {2'd0, in_first_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
+    wire [11:0] first_difference_arrives_either = ({2'd0, in_first_difference} & first_sum_arrives_inverted) | ({2'd0, in_first_difference} & last_difference_arrives_inverted);
+    wire [11:0] last_difference_arrives_both = first_sum_arrives_inverted & last_difference_arrives_inverted;
+    wire [11:0] first_difference_arrives_either_2 = first_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] first_difference_arrives = first_difference_arrives_unequal - ~{first_difference_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
-    wire [11:0] first_difference_next_choice = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
-    wire [11:0] first_difference_next = open ? first_difference_row_begins_difference : first_difference_next_choice;
-    wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
-    wire [11:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
-    wire [11:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 12'd8;
-    wire [11:0] last_difference_next_choice = right_most ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
-    wire [11:0] last_difference_next = open ? last_difference_row_begins_difference : last_difference_next_choice;
-    wire [3:0] last_difference_choice = (|last_difference_next[10:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
+    wire [11:0] first_difference_moved = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] last_difference_arrives_unequal = {2'd0, in_last_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
+    wire [11:0] last_difference_arrives_either = ({2'd0, in_last_difference} & first_sum_arrives_inverted) | ({2'd0, in_last_difference} & last_difference_arrives_inverted);
+    wire [11:0] last_difference_arrives_either_2 = last_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] last_difference_arrives = last_difference_arrives_unequal - ~{last_difference_arrives_either_2[10:0], 1'd1};
+    wire [11:0] last_difference_row_begins_sum = last_difference_row_begins + 12'd8;
+    wire [11:0] last_difference_moved = right_most ? last_difference_row_begins_sum : (last_difference_here - 12'd8);
+    wire [3:0] first_sum_choice = first_sum_arrives[11] ? 4'd0 : |first_sum_arrives[10:4] ? 4'd15 : first_sum_arrives[3:0];
+    wire [3:0] first_sum_choice_2 = first_sum_moved[11] ? 4'd0 : |first_sum_moved[10:4] ? 4'd15 : first_sum_moved[3:0];
+    wire [3:0] first_sum_choice_3 = open ? first_sum_choice : first_sum_choice_2;
+    wire [3:0] last_sum_choice = (|last_sum_arrives[10:4] | &last_sum_arrives[3:0]) ? 4'd14 : last_sum_arrives[3:0];
+    wire [4:0] last_sum_bits = {last_sum_arrives[11], {4{last_sum_arrives[11]}} | last_sum_choice};
+    wire [3:0] last_sum_choice_2 = (|last_sum_moved[10:4] | &last_sum_moved[3:0]) ? 4'd14 : last_sum_moved[3:0];
+    wire [4:0] last_sum_bits_2 = {last_sum_moved[11], {4{last_sum_moved[11]}} | last_sum_choice_2};
+    wire [4:0] last_sum_choice_3 = open ? last_sum_bits : last_sum_bits_2;
+    wire [3:0] last_difference_choice = (|last_difference_arrives[10:4] | &last_difference_arrives[3:0]) ? 4'd14 : last_difference_arrives[3:0];
+    wire [4:0] last_difference_bits = {last_difference_arrives[11], {4{last_difference_arrives[11]}} | last_difference_choice};
+    wire [3:0] last_difference_choice_2 = (|last_difference_moved[10:4] | &last_difference_moved[3:0]) ? 4'd14 : last_difference_moved[3:0];
+    wire [4:0] last_difference_bits_2 = {last_difference_moved[11], {4{last_difference_moved[11]}} | last_difference_choice_2};
+    wire [4:0] last_difference_choice_3 = open ? last_difference_bits : last_difference_bits_2;
+    wire [3:0] not_first_difference_choice = |first_difference_arrives[10:4] ? 4'd15 : first_difference_arrives[3:0];
+    wire [3:0] not_first_difference_choice_2 = first_difference_arrives[11] ? 4'd0 : not_first_difference_choice;
+    wire [3:0] not_first_difference_choice_3 = |first_difference_moved[10:4] ? 4'd15 : first_difference_moved[3:0];
+    wire [3:0] not_first_difference_choice_4 = first_difference_moved[11] ? 4'd0 : not_first_difference_choice_3;
+    wire [3:0] not_first_difference_choice_5 = open ? not_first_difference_choice_2 : not_first_difference_choice_4;
+    wire holds_0_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= holds_0_difference);
+    wire holds_0_both_2 = holds_0_both & ({2'd2, top} <= holds_0_sum) & ({2'd2, top} <= holds_0_sum_2[5:1]);
+    wire holds_1_both = (holds_1_difference <= {2'd2, bottom}) & (holds_1_difference <= holds_0_difference);
+    wire holds_1_both_2 = holds_1_both & (holds_1_difference <= holds_0_sum) & (holds_1_difference <= holds_0_sum_2[5:1]);
+    wire holds_2_both = (holds_2_sum <= {2'd2, bottom}) & (holds_2_sum <= holds_0_difference);
+    wire holds_2_both_2 = holds_2_both & (holds_2_sum <= holds_0_sum) & (holds_2_sum <= holds_0_sum_2[5:1]);
+    wire holds_3_both = (holds_3_difference[5:1] <= {2'd2, bottom}) & (holds_3_difference[5:1] <= holds_0_difference);
+    wire holds_3_both_2 = holds_3_both & (holds_3_difference[5:1] <= holds_0_sum) & (holds_3_difference[5:1] <= holds_0_sum_2[5:1]);
 
     assign in_ready = ready;
     assign {
@@ -6349,16 +6637,17 @@ module splat_splitter (
         out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w365 out_queue (
-        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w365_tentative out_queue (
+        .clk(clk), .rst(rst), .in_valid(step), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_sight_negative, splat_sight_near, splat_sight_far,
             splat_sight_turned, splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high,
             splat_attribute_0, splat_attribute_1, splat_attribute_2, left, right, out_queue_in_data_either_3[2:0],
-            out_queue_in_data_either_6[2:0], first_sum, last_sum[3:0], first_difference, last_difference[3:0],
-            row, column
+            out_queue_in_data_either_6[2:0], first_sum, last_sum[3:0], ~not_first_difference,
+            last_difference[3:0], row, column
         }),
+        .in_kept(kept),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
@@ -6366,11 +6655,9 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             open <= 1'd1;
-        end else begin
-            busy <= take | (busy & ~(step & open));
-            if (moves) begin
-                open <= (open & in_valid) ? (in_end | (one_column & one_row)) : open_either;
-            end
+        end else if (out_queue_in_ready) begin
+            busy <= open ? in_valid : busy;
+            open <= open ? (~in_valid | (in_end | (one_column & one_row))) : (reaches_right & (right_most ? reaches_bottom : bottom_most));
         end
     end
     always @(posedge clk) begin
@@ -6401,57 +6688,71 @@ module splat_splitter (
             splat_right <= in_right;
             splat_bottom <= in_bottom;
         end
-        if (moves) begin
+        if (out_queue_in_ready) begin
             right_most <= open ? one_column : reaches_right;
             column <= open ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
             left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
             right <= open ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
-            first_sum_here <= first_sum_next;
-            first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
-            last_sum_here <= last_sum_next;
-            last_sum <= {last_sum_next[11], {4{last_sum_next[11]}} | last_sum_choice};
-            first_difference_here <= first_difference_next;
-            first_difference <= first_difference_next[11] ? 4'd0 : first_difference_choice;
-            last_difference_here <= last_difference_next;
-            last_difference <= {last_difference_next[11], {4{last_difference_next[11]}} | last_difference_choice};
+            first_sum_here <= open ? first_sum_arrives : first_sum_moved;
+            last_sum_here <= open ? last_sum_arrives : last_sum_moved;
+            first_difference_here <= open ? first_difference_arrives : first_difference_moved;
+            last_difference_here <= open ? last_difference_arrives : last_difference_moved;
+            first_sum <= first_sum_choice_3;
+            last_sum <= last_sum_choice_3;
+            last_difference <= last_difference_choice_3;
+            not_first_difference <= ~not_first_difference_choice_5;
+            not_last_difference <= ~last_difference_choice_3;
+            first_sum_not_half <= ~first_sum_choice_3[3];
+            last_sum_not_half <= ~last_sum_choice_3[3];
+            last_sum_not_negative <= ~last_sum_choice_3[4];
+            last_sum_over_half <= last_sum_choice_3[3] & ~last_sum_choice_3[4];
         end
-        if (take_or_wraps) begin
+        if (turns) begin
             bottom_most <= open ? one_row : reaches_bottom;
             row <= open ? in_top[8:3] : row_plus_1;
             top <= open ? in_top[2:0] : 3'd0;
             bottom <= open ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
-            first_sum_row_begins <= open ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            last_sum_row_begins <= open ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
-            first_difference_row_begins <= open ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            last_difference_row_begins <= open ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
+            first_sum_row_begins <= open ? first_sum_arrives : first_sum_row_begins_minus_8;
+            last_sum_row_begins <= open ? last_sum_arrives : last_sum_row_begins_minus_8;
+            first_difference_row_begins <= open ? first_difference_arrives : first_difference_row_begins_sum;
+            last_difference_row_begins <= open ? last_difference_arrives : last_difference_row_begins_sum;
         end
-        first <= take | (first & ~push);
+        holds_0 <= ~step | (splat_end | holds_0_both_2);
+        holds_1 <= ~step | (splat_end | holds_1_both_2);
+        holds_2 <= ~step | (splat_end | holds_2_both_2);
+        holds_3 <= ~step | (splat_end | holds_3_both_2);
+        stepped <= step;
+        opened <= ready;
+        was_first <= first;
     end
 
     wire _unused = &{
-        1'b0, occupied_difference_3[0], occupied_sum_2[0], out_queue_in_data_either_3[4:3],
-        out_queue_in_data_either_6[4:3]
+        1'b0, first_difference_arrives_either_2[11], first_sum_arrives_either_2[11], holds_0_sum_2[0],
+        holds_3_difference[0], last_difference_arrives_either_2[11], last_sum[4],
+        last_sum_arrives_either_2[11], out_queue_in_data_either_3[4:3], out_queue_in_data_either_6[4:3]
     };
 endmodule
 
 // One item in a register, at half rate.
 // width = 365
-module stream_half_buffer_w365 (
+// pushes = tentative
+module stream_half_buffer_w365_tentative (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [364:0] in_data,
+    input  wire in_valid, output wire in_ready, input wire [364:0] in_data, input wire in_kept,
     output wire out_valid, input wire out_ready, output wire [364:0] out_data
 );
-    reg full;
+    reg filled;
     reg [364:0] item;
 
+    wire full = filled & in_kept;
     assign in_ready = ~full;
 
     assign out_valid = full;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= full ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -8086,13 +8387,13 @@ module splat_setup (
         .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u24q24_unit_a), .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
 
-    stream_fifo_d22_w117_distributed queue_1 (
+    stream_fifo_d23_w117_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({end_d22, center_x_out_d14, center_y_out_d14, ax_out, bx_out, ay_out, by_out}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d22_w123_distributed queue_2 (
+    stream_fifo_d23_w123_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({
             delta_out, mx_out, my_out, shift_d3, delay_12_from_7_out, sight_near_out, sight_far_out_d1,
@@ -8101,7 +8402,7 @@ module splat_setup (
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d22_w120_distributed queue_3 (
+    stream_fifo_d23_w120_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({
             depth_low_out_d3, depth_high_out_d3, attribute_0_d22, attribute_1_d22, attribute_2_d22, first_x_d5,
@@ -8110,7 +8411,7 @@ module splat_setup (
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
-    stream_fifo_d22_w40_distributed queue_4 (
+    stream_fifo_d23_w40_distributed queue_4 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
         .in_data({first_sum_out_d1, last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
         .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
@@ -8118,7 +8419,7 @@ module splat_setup (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 6'd21;
+            credits <= 6'd22;
             phases_1 <= 8'd1;
             delay_7_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
@@ -9466,23 +9767,28 @@ module splat_setup (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 40
 // storage = distributed
-module stream_fifo_d22_w40_distributed (
+module stream_fifo_d23_w40_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [39:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [39:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [39:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [39:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [39:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9491,31 +9797,43 @@ module stream_fifo_d22_w40_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9523,23 +9841,28 @@ module stream_fifo_d22_w40_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 120
 // storage = distributed
-module stream_fifo_d22_w120_distributed (
+module stream_fifo_d23_w120_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [119:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [119:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9548,31 +9871,43 @@ module stream_fifo_d22_w120_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9580,23 +9915,28 @@ module stream_fifo_d22_w120_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 123
 // storage = distributed
-module stream_fifo_d22_w123_distributed (
+module stream_fifo_d23_w123_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [122:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [122:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [122:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [122:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9605,31 +9945,43 @@ module stream_fifo_d22_w123_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9637,23 +9989,28 @@ module stream_fifo_d22_w123_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 117
 // storage = distributed
-module stream_fifo_d22_w117_distributed (
+module stream_fifo_d23_w117_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [116:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [116:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [116:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [116:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [116:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9662,31 +10019,43 @@ module stream_fifo_d22_w117_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -10043,16 +10412,13 @@ module float_min_s2_f24ftz (
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
+            a_nan_s1 <= &a[22:15] & |a[14:0];
+            b_nan_s1 <= &b[22:15] & |b[14:0];
+            less_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a[14:0] & {15{|a[22:15]}}};
+            b_s1 <= {b[23:15], b[14:0] & {15{|b[22:15]}}};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -10067,16 +10433,11 @@ module float_le_s2_f24ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |a[14:0]) | (&b[22:15] & |b[14:0]);
+            both_zero_s1 <= (a[22:15] == 8'd0) & (b[22:15] == 8'd0);
+            compared_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} <= {~b[23], b[22:0] ^ {23{b[23]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -10845,26 +11206,26 @@ module splat_transform (
         .y(max_f24_ftz_unit_y)
     );
 
-    stream_fifo_d5_w121_distributed queue_1 (
+    stream_fifo_d6_w121_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({end_d5, u_x_d1, add_f24_ftz_unit_y, u_z_d2, v1_x_d2, v1_y_d2}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d5_w120_distributed queue_2 (
+    stream_fifo_d6_w120_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({v1_z_d2, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_d5, attribute_1_d5}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d5_w12_distributed queue_3 (
+    stream_fifo_d6_w12_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready), .in_data(attribute_2_d5),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(out_attribute_2)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 4'd4;
+            credits <= 4'd5;
             phases_1 <= 8'd1;
             delay_5_from_0_pointer <= 2'd0;
             phases_2 <= 8'd1;
@@ -11035,23 +11396,28 @@ module splat_transform (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 12
 // storage = distributed
-module stream_fifo_d5_w12_distributed (
+module stream_fifo_d6_w12_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [11:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [11:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [11:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [11:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -11060,31 +11426,43 @@ module stream_fifo_d5_w12_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -11092,23 +11470,28 @@ module stream_fifo_d5_w12_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 120
 // storage = distributed
-module stream_fifo_d5_w120_distributed (
+module stream_fifo_d6_w120_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [119:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [119:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -11117,31 +11500,43 @@ module stream_fifo_d5_w120_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -11149,23 +11544,28 @@ module stream_fifo_d5_w120_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 121
 // storage = distributed
-module stream_fifo_d5_w121_distributed (
+module stream_fifo_d6_w121_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [120:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [120:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [120:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [120:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -11174,31 +11574,43 @@ module stream_fifo_d5_w121_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -11215,16 +11627,13 @@ module float_max_s2_f24ftz (
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
+            a_nan_s1 <= &a[22:15] & |a[14:0];
+            b_nan_s1 <= &b[22:15] & |b[14:0];
+            less_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a[14:0] & {15{|a[22:15]}}};
+            b_s1 <= {b[23:15], b[14:0] & {15{|b[22:15]}}};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -11239,16 +11648,11 @@ module float_lt_s2_f24ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} < {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |a[14:0]) | (&b[22:15] & |b[14:0]);
+            both_zero_s1 <= (a[22:15] == 8'd0) & (b[22:15] == 8'd0);
+            compared_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end

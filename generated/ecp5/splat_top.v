@@ -301,7 +301,7 @@ module splat_top (
 endmodule
 
 // A finished pixel's sums divided by its weight.
-// latency = 30
+// latency = 31
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk, input wire rst,
@@ -333,20 +333,20 @@ module splat_normalizer (
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
-    reg [103:0] delay_20_from_0 [0:18];
+    reg [23:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [15:0] delay_20_from_0_copy2 [0:18];
+    reg [95:0] delay_21_from_0 [0:19];
     (* ram_style = "distributed" *)
-    reg [34:0] delay_30_from_0 [0:28];
+    reg [34:0] delay_31_from_0 [0:29];
     reg [6:0] credits;
     reg [4:0] delay_20_from_0_pointer;
-    reg [103:0] delay_20_from_0_out;
-    reg [4:0] delay_20_from_0_copy2_pointer;
-    reg [15:0] delay_20_from_0_copy2_out;
-    reg [4:0] delay_30_from_0_pointer;
-    reg [34:0] delay_30_from_0_out;
+    reg [23:0] delay_20_from_0_out;
+    reg [4:0] delay_21_from_0_pointer;
+    reg [95:0] delay_21_from_0_out;
+    reg [4:0] delay_31_from_0_pointer;
+    reg [34:0] delay_31_from_0_out;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
-    reg [29:0] in_flight;
+    reg [30:0] in_flight;
     reg left;
 
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
@@ -362,17 +362,17 @@ module splat_normalizer (
     wire [31:0] queue_2_out_data;
 
     assign in_ready = ~credits[6];
-    wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
-    wire [15:0] attribute_0_d20 = delay_20_from_0_out[39:24];
-    wire [15:0] attribute_1_d20 = delay_20_from_0_out[55:40];
-    wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
-    wire [15:0] attribute_3_d20 = delay_20_from_0_out[87:72];
-    wire [15:0] attribute_4_d20 = delay_20_from_0_out[103:88];
-    wire kept = in_flight[29];
-    wire end_d30 = delay_30_from_0_out[0];
-    wire [8:0] column_out_d30 = delay_30_from_0_out[25:17];
-    wire [8:0] row_out_d30 = delay_30_from_0_out[34:26];
-    wire [15:0] cardinal_0_d30 = delay_30_from_0_out[16:1];
+    wire [15:0] attribute_0_d21 = delay_21_from_0_out[15:0];
+    wire [15:0] attribute_1_d21 = delay_21_from_0_out[31:16];
+    wire [15:0] attribute_2_d21 = delay_21_from_0_out[47:32];
+    wire [15:0] attribute_3_d21 = delay_21_from_0_out[63:48];
+    wire [15:0] attribute_4_d21 = delay_21_from_0_out[79:64];
+    wire [15:0] attribute_5_d21 = delay_21_from_0_out[95:80];
+    wire kept = in_flight[30];
+    wire end_d31 = delay_31_from_0_out[0];
+    wire [8:0] column_out_d31 = delay_31_from_0_out[25:17];
+    wire [8:0] row_out_d31 = delay_31_from_0_out[34:26];
+    wire [15:0] cardinal_0_d31 = delay_31_from_0_out[16:1];
     wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
@@ -381,7 +381,7 @@ module splat_normalizer (
     } = queue_1_out_data;
     assign {out_attribute_5, out_cardinal_0} = queue_2_out_data;
 
-    float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s4_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
@@ -389,12 +389,12 @@ module splat_normalizer (
         .clk(clk), .enable(1'd1), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s4_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
@@ -428,27 +428,27 @@ module splat_normalizer (
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(1'd1), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(1'd1), .a(attribute_0_d21), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(1'd1), .a(attribute_1_d21), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(1'd1), .a(attribute_2_d21), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(1'd1), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(1'd1), .a(attribute_3_d21), .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(1'd1), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(1'd1), .a(attribute_4_d21), .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(1'd1), .a(delay_20_from_0_copy2_out), .y(convert_f16_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(1'd1), .a(attribute_5_d21), .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
@@ -475,36 +475,36 @@ module splat_normalizer (
         .clk(clk), .enable(1'd1), .a(mul_f24_ftz_unit_copy7_y), .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
-    stream_fifo_d34_w123_distributed queue_1 (
+    stream_fifo_d35_w123_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
-            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
+            end_d31, column_out_d31, row_out_d31, depth_out_d3, convert_f24_ftz_f16_unit_y,
             convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y, convert_f24_ftz_f16_unit_copy4_y,
             convert_f24_ftz_f16_unit_copy5_y
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d34_w32_distributed queue_2 (
+    stream_fifo_d35_w32_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
-        .in_data({convert_f24_ftz_f16_unit_copy6_y, cardinal_0_d30}),
+        .in_data({convert_f24_ftz_f16_unit_copy6_y, cardinal_0_d31}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 7'd33;
+            credits <= 7'd34;
             delay_20_from_0_pointer <= 5'd0;
-            delay_20_from_0_copy2_pointer <= 5'd0;
-            delay_30_from_0_pointer <= 5'd0;
-            in_flight <= 30'd0;
+            delay_21_from_0_pointer <= 5'd0;
+            delay_31_from_0_pointer <= 5'd0;
+            in_flight <= 31'd0;
             left <= 1'd0;
         end else begin
             credits <= (credits - {6'd0, in_valid_and_in_ready}) + {6'd0, left};
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-            delay_20_from_0_copy2_pointer <= (delay_20_from_0_copy2_pointer == 5'd18) ? (delay_20_from_0_copy2_pointer - 5'd18) : (delay_20_from_0_copy2_pointer + 5'd1);
-            delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[28:0], in_valid_and_in_ready};
+            delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
+            delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+            in_flight <= {in_flight[29:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
         end
     end
@@ -514,19 +514,16 @@ module splat_normalizer (
         depth_out_d3 <= depth_out_d2;
     end
     always @(posedge clk) begin
-        delay_20_from_0[delay_20_from_0_pointer] <= {
-            in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0,
-            to_float_u52q40_f24_ftz_unit_y
-        };
+        delay_20_from_0[delay_20_from_0_pointer] <= to_float_u52q40_f24_ftz_unit_y;
         delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_20_from_0_copy2[delay_20_from_0_copy2_pointer] <= in_attribute_5;
-        delay_20_from_0_copy2_out <= delay_20_from_0_copy2[delay_20_from_0_copy2_pointer];
+        delay_21_from_0[delay_21_from_0_pointer] <= {in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0};
+        delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
-        delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        delay_31_from_0[delay_31_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
+        delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
 
     wire _unused = &{1'b0, in_peak, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
@@ -553,23 +550,28 @@ module splat_normalizer (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 34
+// depth = 35
 // width = 32
 // storage = distributed
-module stream_fifo_d34_w32_distributed (
+module stream_fifo_d35_w32_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [31:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [31:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [31:0] entries [0:33];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [31:0] entries [0:34];
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [31:0] item;
 
-    wire has_room = ~(held == 6'd34);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -578,31 +580,43 @@ module stream_fifo_d34_w32_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd34);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
+            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
-            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 6'd34);
+        held_in_range: assert (held <= 6'd35);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd35)) & (any_waits == |waiting));
 `else
-        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd35)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -610,23 +624,28 @@ module stream_fifo_d34_w32_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 34
+// depth = 35
 // width = 123
 // storage = distributed
-module stream_fifo_d34_w123_distributed (
+module stream_fifo_d35_w123_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [122:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [122:0] entries [0:33];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [122:0] entries [0:34];
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [122:0] item;
 
-    wire has_room = ~(held == 6'd34);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -635,31 +654,43 @@ module stream_fifo_d34_w123_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd34);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
+            if (push) write_address <= (write_address == 6'd34) ? 6'd0 : (write_address + 6'd1);
+            if (fetch) read_address <= (read_address == 6'd34) ? 6'd0 : (read_address + 6'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 6'd33) ? 6'd0 : (write_address + 6'd1);
-            if (fetch) read_address <= (read_address == 6'd33) ? 6'd0 : (read_address + 6'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 6'd34);
+        held_in_range: assert (held <= 6'd35);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd35)) & (any_waits == |waiting));
 `else
-        if (!(held <= 6'd34)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 6'd35)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd35)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -775,20 +806,22 @@ module float_convert_s3_f16_f24ftz (
 endmodule
 
 // Fixed to floating point.
-// stages = 3
+// stages = 4
 // format = f24-ftz
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
+module float_from_fixed_s4_f24ftz_w52_f40_unsigned (
     input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [23:0] y
 );
     reg [51:0] magnitude_s1;
     reg [5:0] zeros_s1;
-    reg [8:0] exponent_s2;
-    reg [17:0] significand_s2;
-    reg zero_s1, zero_s2;
+    reg [51:0] shifted_s2;
+    reg [5:0] zeros_s2;
+    reg [8:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg zero_s1, zero_s2, zero_s3;
 
     wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
     wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
@@ -830,42 +863,46 @@ module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
     wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
     wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
-    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
-    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
-            exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {significand_s2_shifted[51:35], |significand_s2_shifted[34:0]};
+            shifted_s2 <= magnitude_s1 << zeros_s1;
+            zeros_s2 <= zeros_s1;
+            exponent_s3 <= 9'd138 - {3'd0, zeros_s2};
+            significand_s3 <= {shifted_s2[51:35], |shifted_s2[34:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
+            zero_s3 <= zero_s2;
+            y <= {1'd0, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Fixed to floating point.
-// stages = 3
+// stages = 4
 // format = f24-ftz
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
+module float_from_fixed_s4_f24ftz_w28_f16_unsigned (
     input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [23:0] y
 );
     reg [27:0] magnitude_s1;
     reg [4:0] zeros_s1;
-    reg [8:0] exponent_s2;
-    reg [17:0] significand_s2;
-    reg zero_s1, zero_s2;
+    reg [27:0] shifted_s2;
+    reg [4:0] zeros_s2;
+    reg [8:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg zero_s1, zero_s2, zero_s3;
 
     wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
     wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
@@ -888,25 +925,27 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
     wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
     wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
-    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
-    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
-            exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {significand_s2_shifted[27:11], |significand_s2_shifted[10:0]};
+            shifted_s2 <= magnitude_s1 << zeros_s1;
+            zeros_s2 <= zeros_s1;
+            exponent_s3 <= 9'd138 - {4'd0, zeros_s2};
+            significand_s3 <= {shifted_s2[27:11], |shifted_s2[10:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
+            zero_s3 <= zero_s2;
+            y <= {1'd0, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // A rasterizer with the lists, slots and sums of its share of the tiles.
@@ -1395,8 +1434,12 @@ module splat_accumulator (
     reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
-    reg [31:0] bank_0_was_written, bank_0_was_dirty, bank_1_was_written, bank_1_was_dirty;
-    reg is_written_1, is_written_2;
+    reg [31:0] bank_0_was_written, bank_0_was_dirty;
+    reg [3:0] bank_0_was_near;
+    reg [31:0] bank_1_was_written, bank_1_was_dirty;
+    reg [3:0] bank_1_was_near;
+    reg [1:0] near_place;
+    reg near_bank, is_written;
     wire [207:0] bank_0_read;
     reg [207:0] bank_0_pixel;
     wire [207:0] bank_1_read;
@@ -1538,11 +1581,16 @@ module splat_accumulator (
     wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
     wire [2:0] masked_slot_0 = sample_reads_0 ? head_slot : change_slot;
     wire [63:0] bank_0_mask = bank_0_masks[masked_slot_0];
+    wire [4:0] bank_1_near_bits = {head_pixel[5:3], 2'd0};
+    wire [31:0] bank_0_near_shifted = bank_0_mask[63:32] >> bank_1_near_bits;
+    wire [3:0] bank_0_near = bank_0_near_shifted[3:0];
     wire changes_1 = change_valid & change_banks[1] & ~sample_reads_1;
     wire [2:0] masked_slot_1 = sample_reads_1 ? head_slot : change_slot;
     wire [63:0] bank_1_mask = bank_1_masks[masked_slot_1];
-    wire [31:0] is_written_1_shifted = bank_1_mask[63:32] >> head_pixel[5:1];
-    wire [31:0] is_written_1_shifted_2 = bank_0_mask[63:32] >> head_pixel[5:1];
+    wire [31:0] bank_1_near_shifted = bank_1_mask[63:32] >> bank_1_near_bits;
+    wire [3:0] bank_1_near = bank_1_near_shifted[3:0];
+    wire [3:0] is_written_shifted = bank_1_was_near >> near_place;
+    wire [3:0] is_written_shifted_2 = bank_0_was_near >> near_place;
     wire drains_1_either = (~drain_pixel[0] & reads_bank[0]) | (drain_pixel[0] & reads_bank[1]);
     wire [31:0] pixel_bit = 32'd1 << head_pixel[5:1];
     wire [63:0] bank_0_masks_data_bits = {
@@ -1750,13 +1798,16 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        is_written_1 <= head_pixel[0] ? is_written_1_shifted[0] : is_written_1_shifted_2[0];
-        is_written_2 <= is_written_1;
+        bank_0_was_near <= bank_0_near;
+        bank_1_was_near <= bank_1_near;
+        near_place <= head_pixel[2:1];
+        near_bank <= head_pixel[0];
+        is_written <= near_bank ? is_written_shifted[0] : is_written_shifted_2[0];
         bank_0_pixel <= bank_0_read;
         bank_1_pixel <= bank_1_read;
         drained_pixel_1 <= drain_pixel;
         drained_pixel_2 <= drained_pixel_1;
-        stored <= {208{is_written_2}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
+        stored <= {208{is_written}} & (pixel_2[0] ? bank_1_pixel : bank_0_pixel);
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1902,8 +1953,9 @@ module splat_accumulator (
     end
 
     wire _unused = &{
-        1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], is_written_1_shifted[31:1],
-        is_written_1_shifted_2[31:1], samples_in_ready, samples_out_valid
+        1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], bank_0_near_shifted[31:4],
+        bank_1_near_shifted[31:4], is_written_shifted[3:1], is_written_shifted_2[3:1], samples_in_ready,
+        samples_out_valid
     };
 
 `ifdef RTL_ASSERT
@@ -2070,19 +2122,23 @@ module stream_fifo_d64_w216 (
     output reg  out_valid, input wire out_ready, output wire [215:0] out_data
 );
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     wire [215:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(216), .DEPTH(64)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2090,15 +2146,23 @@ module stream_fifo_d64_w216 (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -2107,10 +2171,14 @@ module stream_fifo_d64_w216 (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2129,13 +2197,17 @@ module stream_fifo_d64_w11_distributed (
     (* ram_style = "distributed" *)
     reg [10:0] entries [0:63];
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     reg [10:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -2144,19 +2216,27 @@ module stream_fifo_d64_w11_distributed (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -2165,10 +2245,14 @@ module stream_fifo_d64_w11_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2176,7 +2260,7 @@ module stream_fifo_d64_w11_distributed (
 endmodule
 
 // Weighted depth and attributes of a sample.
-// latency = 10
+// latency = 12
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk, input wire rst,
@@ -2214,20 +2298,25 @@ module splat_weighting (
     output wire [15:0] out_cardinal_0  // Weighted continuous attributes, and cardinal ones as they are.
 );
     (* ram_style = "distributed" *)
-    reg [39:0] delay_7_from_0 [0:5];
+    reg [95:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [74:0] delay_10_from_0 [0:8];
+    reg [39:0] delay_8_from_0 [0:6];
+    (* ram_style = "distributed" *)
+    reg [74:0] delay_11_from_0 [0:9];
     reg [4:0] credits;
-    reg [2:0] delay_7_from_0_pointer;
-    reg [39:0] delay_7_from_0_out;
-    reg [3:0] delay_10_from_0_pointer;
-    reg [74:0] delay_10_from_0_out;
-    reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
-    reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
-    reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
-    reg [15:0] attribute_4_d1, attribute_4_d2, attribute_4_d3, attribute_4_d4, attribute_5_d1, attribute_5_d2;
-    reg [15:0] attribute_5_d3, attribute_5_d4;
-    reg [9:0] in_flight;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [95:0] delay_6_from_0_out;
+    reg [2:0] delay_8_from_0_pointer;
+    reg [39:0] delay_8_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [74:0] delay_11_from_0_out;
+    reg last_d1, inside_d1;
+    reg [2:0] slot_d1;
+    reg [5:0] pixel_d1;
+    reg [15:0] weight_d1, weight_d10, weight_d11, weight_d12;
+    reg [23:0] depth_d1, depth_low_d1, depth_high_d1;
+    reg [15:0] cardinal_0_d1;
+    reg [11:0] in_flight;
     reg left;
 
     wire [15:0] to_float_u16q16_f16_unit_y;
@@ -2240,16 +2329,22 @@ module splat_weighting (
     wire [111:0] queue_2_out_data;
 
     assign in_ready = ~credits[4];
-    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
-    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
-    wire kept = in_flight[9];
-    wire last_d10 = delay_10_from_0_out[0];
-    wire inside_d10 = delay_10_from_0_out[1];
-    wire [2:0] slot_d10 = delay_10_from_0_out[4:2];
-    wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
-    wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
-    wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
-    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[74:59];
+    wire [15:0] weight_d9 = delay_8_from_0_out[15:0];
+    wire [23:0] depth_d9 = delay_8_from_0_out[39:16];
+    wire [15:0] attribute_0_d6 = delay_6_from_0_out[15:0];
+    wire [15:0] attribute_1_d6 = delay_6_from_0_out[31:16];
+    wire [15:0] attribute_2_d6 = delay_6_from_0_out[47:32];
+    wire [15:0] attribute_3_d6 = delay_6_from_0_out[63:48];
+    wire [15:0] attribute_4_d6 = delay_6_from_0_out[79:64];
+    wire [15:0] attribute_5_d6 = delay_6_from_0_out[95:80];
+    wire kept = in_flight[11];
+    wire last_d12 = delay_11_from_0_out[0];
+    wire inside_d12 = delay_11_from_0_out[1];
+    wire [2:0] slot_d12 = delay_11_from_0_out[4:2];
+    wire [5:0] pixel_d12 = delay_11_from_0_out[10:5];
+    wire [23:0] depth_low_d12 = delay_11_from_0_out[34:11];
+    wire [23:0] depth_high_d12 = delay_11_from_0_out[58:35];
+    wire [15:0] cardinal_0_d12 = delay_11_from_0_out[74:59];
     wire in_valid_and_in_ready = in_valid & in_ready;
 
     assign {
@@ -2261,110 +2356,101 @@ module splat_weighting (
         out_cardinal_0
     } = queue_2_out_data;
 
-    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(in_weight), .y(to_float_u16q16_f16_unit_y));
+    float_from_fixed_s5_f16_w16_f16_unsigned to_float_u16q16_f16_unit (.clk(clk), .enable(1'd1), .a(weight_d1), .y(to_float_u16q16_f16_unit_y));
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(1'd1), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(1'd1), .a(weight_d9), .b(depth_d9), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d6), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d6),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d6),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d6),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d6),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
+        .clk(clk), .enable(1'd1), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d6),
         .y(mul_f16_unit_copy6_y)
     );
 
-    stream_fifo_d14_w115_distributed queue_1 (
+    stream_fifo_d16_w115_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({
-            last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
-            depth_high_d10
+            last_d12, inside_d12, slot_d12, pixel_d12, weight_d12, mul_u16_u24_unit_y, depth_low_d12,
+            depth_high_d12
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d14_w112_distributed queue_2 (
+    stream_fifo_d16_w112_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({
             mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
-            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, cardinal_0_d10
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, cardinal_0_d12
         }),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 5'd13;
-            delay_7_from_0_pointer <= 3'd0;
-            delay_10_from_0_pointer <= 4'd0;
-            in_flight <= 10'd0;
+            credits <= 5'd15;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_8_from_0_pointer <= 3'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            in_flight <= 12'd0;
             left <= 1'd0;
         end else begin
             credits <= (credits - {4'd0, in_valid_and_in_ready}) + {4'd0, left};
-            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-            delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            in_flight <= {in_flight[8:0], in_valid_and_in_ready};
+            delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+            delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+            in_flight <= {in_flight[10:0], in_valid_and_in_ready};
             left <= out_valid & out_ready;
         end
     end
     always @(posedge clk) begin
-        weight_d8 <= weight_d7;
-        weight_d9 <= weight_d8;
+        last_d1 <= in_last;
+        inside_d1 <= in_inside;
+        slot_d1 <= in_slot;
+        pixel_d1 <= in_pixel;
+        weight_d1 <= in_weight;
         weight_d10 <= weight_d9;
-        attribute_0_d1 <= in_attribute_0;
-        attribute_0_d2 <= attribute_0_d1;
-        attribute_0_d3 <= attribute_0_d2;
-        attribute_0_d4 <= attribute_0_d3;
-        attribute_1_d1 <= in_attribute_1;
-        attribute_1_d2 <= attribute_1_d1;
-        attribute_1_d3 <= attribute_1_d2;
-        attribute_1_d4 <= attribute_1_d3;
-        attribute_2_d1 <= in_attribute_2;
-        attribute_2_d2 <= attribute_2_d1;
-        attribute_2_d3 <= attribute_2_d2;
-        attribute_2_d4 <= attribute_2_d3;
-        attribute_3_d1 <= in_attribute_3;
-        attribute_3_d2 <= attribute_3_d1;
-        attribute_3_d3 <= attribute_3_d2;
-        attribute_3_d4 <= attribute_3_d3;
-        attribute_4_d1 <= in_attribute_4;
-        attribute_4_d2 <= attribute_4_d1;
-        attribute_4_d3 <= attribute_4_d2;
-        attribute_4_d4 <= attribute_4_d3;
-        attribute_5_d1 <= in_attribute_5;
-        attribute_5_d2 <= attribute_5_d1;
-        attribute_5_d3 <= attribute_5_d2;
-        attribute_5_d4 <= attribute_5_d3;
+        weight_d11 <= weight_d10;
+        weight_d12 <= weight_d11;
+        depth_d1 <= in_depth;
+        depth_low_d1 <= in_depth_low;
+        depth_high_d1 <= in_depth_high;
+        cardinal_0_d1 <= in_cardinal_0;
     end
     always @(posedge clk) begin
-        delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        delay_6_from_0[delay_6_from_0_pointer] <= {in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1, in_attribute_0};
+        delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last};
-        delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        delay_8_from_0[delay_8_from_0_pointer] <= {depth_d1, weight_d1};
+        delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        delay_11_from_0[delay_11_from_0_pointer] <= {cardinal_0_d1, depth_high_d1, depth_low_d1, pixel_d1, slot_d1, inside_d1, last_d1};
+        delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
 
     wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
@@ -2391,56 +2477,73 @@ module splat_weighting (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 14
+// depth = 16
 // width = 112
 // storage = distributed
-module stream_fifo_d14_w112_distributed (
+module stream_fifo_d16_w112_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [111:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [111:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [111:0] entries [0:13];
-    reg [3:0] held, waiting, write_address, read_address;
+    reg [111:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [3:0] write_address, read_address;
     reg [111:0] item;
 
-    wire has_room = ~(held == 4'd14);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
+            held <= 5'd0;
+            waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 4'd14);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
-        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2448,56 +2551,73 @@ module stream_fifo_d14_w112_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 14
+// depth = 16
 // width = 115
 // storage = distributed
-module stream_fifo_d14_w115_distributed (
+module stream_fifo_d16_w115_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [114:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [114:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [114:0] entries [0:13];
-    reg [3:0] held, waiting, write_address, read_address;
+    reg [114:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [3:0] write_address, read_address;
     reg [114:0] item;
 
-    wire has_room = ~(held == 4'd14);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
+            held <= 5'd0;
+            waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd13) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd13) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 4'd14);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
-        if (!(held <= 4'd14)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2637,62 +2757,64 @@ module integer_mul_s3_u16_u24 (
 endmodule
 
 // Fixed to floating point.
-// stages = 4
+// stages = 5
 // format = f16
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s4_f16_w16_f16_unsigned (
+module float_from_fixed_s5_f16_w16_f16_unsigned (
     input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
-    reg [15:0] magnitude_s1, magnitude_s2;
+    reg [15:0] magnitude_s1;
+    reg [3:0] zeros_s1;
+    reg [15:0] shifted_s2;
     reg [3:0] zeros_s2;
     reg [5:0] distance_s3;
-    reg [12:0] significand_s3;
-    reg [5:0] exponent_s3;
-    reg zero_s1, zero_s2, zero_s3;
+    reg [12:0] significand_s3, significand_s4;
+    reg [5:0] exponent_s3, exponent_s4;
+    reg zero_s1, zero_s2, zero_s3, zero_s4;
 
-    wire zeros_s2_both = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire zeros_s2_both_2 = zeros_s2_both & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire zeros_s2_both_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire zeros_s2_both_4 = zeros_s2_both_2 & (zeros_s2_both_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire zeros_s2_both_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire zeros_s2_both_6 = zeros_s2_both_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire zeros_s2_both_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire [1:0] zeros_s2_bits = {zeros_s2_both_7, zeros_s2_both_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]};
-    wire [1:0] zeros_s2_bits_2 = {zeros_s2_both_5, zeros_s2_both_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [2:0] zeros_s2_bits_3 = {zeros_s2_both_6, zeros_s2_both_6 ? zeros_s2_bits : zeros_s2_bits_2};
-    wire [1:0] zeros_s2_bits_4 = {zeros_s2_both_3, zeros_s2_both_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
-    wire [1:0] zeros_s2_bits_5 = {zeros_s2_both, zeros_s2_both ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [2:0] zeros_s2_bits_6 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_4 : zeros_s2_bits_5};
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both = not_a_15_and_not_a_14 & (~a[13] & ~a[12]);
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_11_and_not_a_10 & (~a[9] & ~a[8]));
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_3 = not_a_7_and_not_a_6 & (~a[5] & ~a[4]);
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire [1:0] zeros_s1_choice = zeros_s1_both_3 ? {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]} : {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both ? {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]} : {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]};
+    wire [2:0] zeros_s1_choice_3 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice} : {zeros_s1_both, zeros_s1_choice_2};
     wire [5:0] exponent_s3_difference = 6'd14 - {2'd0, zeros_s2};
     wire exponent_s3_either = exponent_s3_difference[5] | (exponent_s3_difference == 6'd0);
-    wire [15:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
-    wire [12:0] round_up_choice = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
-    wire [12:0] round_up_choice_2 = distance_s3[2] ? (round_up_choice >> 4) : round_up_choice;
-    wire [12:0] round_up_choice_3 = distance_s3[1] ? (round_up_choice_2 >> 2) : round_up_choice_2;
-    wire [12:0] round_up_choice_4 = distance_s3[0] ? (round_up_choice_3 >> 1) : round_up_choice_3;
-    wire round_up_either = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |round_up_choice[3:0]);
-    wire round_up_either_2 = round_up_either | (distance_s3[1] & |round_up_choice_2[1:0]) | (distance_s3[0] & round_up_choice_3[0]);
-    wire [12:0] round_up_bits = {round_up_choice_4[12:1], round_up_choice_4[0] | round_up_either_2};
-    wire [12:0] round_up_choice_5 = |distance_s3[5:4] ? {12'd0, |significand_s3} : round_up_bits;
-    wire [14:0] rounded_bits = {exponent_s3[4:0] & {5{round_up_choice_5[12]}}, round_up_choice_5[11:2]};
-    wire round_up = round_up_choice_5[1] & (round_up_choice_5[0] | round_up_choice_5[2]);
+    wire [12:0] significand_s4_choice = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] significand_s4_choice_2 = distance_s3[2] ? (significand_s4_choice >> 4) : significand_s4_choice;
+    wire [12:0] significand_s4_choice_3 = distance_s3[1] ? (significand_s4_choice_2 >> 2) : significand_s4_choice_2;
+    wire [12:0] significand_s4_choice_4 = distance_s3[0] ? (significand_s4_choice_3 >> 1) : significand_s4_choice_3;
+    wire significand_s4_either = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |significand_s4_choice[3:0]);
+    wire significand_s4_either_2 = significand_s4_either | (distance_s3[1] & |significand_s4_choice_2[1:0]);
+    wire significand_s4_either_3 = significand_s4_either_2 | (distance_s3[0] & significand_s4_choice_3[0]);
+    wire [12:0] significand_s4_bits = {significand_s4_choice_4[12:1], significand_s4_choice_4[0] | significand_s4_either_3};
+    wire [14:0] rounded_bits = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
     wire [14:0] rounded = rounded_bits + {14'd0, round_up};
-    wire [14:0] y_choice = zero_s3 ? 15'd0 : (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+    wire [14:0] y_choice = zero_s4 ? 15'd0 : (~exponent_s4[5] & (6'd31 <= exponent_s4)) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_3 : zeros_s2_bits_6};
+            zeros_s1 <= {zeros_s1_both_2, zeros_s1_choice_3};
+            shifted_s2 <= magnitude_s1 << zeros_s1;
+            zeros_s2 <= zeros_s1;
             distance_s3 <= (6'd1 - exponent_s3_difference) & {6{exponent_s3_either}};
-            significand_s3 <= {significand_s3_shifted[15:4], |significand_s3_shifted[3:0]};
+            significand_s3 <= {shifted_s2[15:4], |shifted_s2[3:0]};
+            significand_s4 <= |distance_s3[5:4] ? {12'd0, |significand_s3} : significand_s4_bits;
             exponent_s3 <= exponent_s3_either ? 6'd1 : exponent_s3_difference;
+            exponent_s4 <= exponent_s3;
             zero_s1 <= a == 16'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
             y <= {1'd0, y_choice};
         end
     end
@@ -2757,7 +2879,7 @@ module splat_rasterizer (
     output reg  event_starved,  // The rasterizer had no copy to work on.
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
-    reg busy, idle, is_last;
+    reg busy, idle, walks, is_last;
     reg [2:0] slot;
     reg [11:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
@@ -2783,23 +2905,24 @@ module splat_rasterizer (
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [183:0] shared_out_data;
 
-    wire take = evaluation_in_ready & idle & shared_in_ready;
-    wire load = take & in_valid;
-    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
-    wire [3:0] idle_bits = {1'd0, ~in_top};
-    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
-    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
-    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
-    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
-    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
-    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
-    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
-    wire idle_same = {in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]};
+    wire take = evaluation_in_ready & idle;
+    wire load = evaluation_in_ready & ~walks & in_valid;
+    wire [3:0] column_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] row_end_bits = {1'd0, ~in_top};
+    wire [3:0] column_choice_2 = (in_first_difference < row_end_bits) ? 4'd0 : (in_first_difference - row_end_bits);
+    wire [3:0] column_choice_3 = (column_choice < column_choice_2) ? column_choice_2 : column_choice;
+    wire [3:0] column_choice_4 = (column_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : column_choice_3;
+    wire [3:0] row_end_choice = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] row_end_choice_2 = (in_last_difference < row_end_bits) ? 4'd0 : (in_last_difference - row_end_bits);
+    wire [3:0] row_end_choice_3 = (row_end_choice < row_end_choice_2) ? row_end_choice : row_end_choice_2;
+    wire [3:0] row_end_choice_4 = (row_end_choice_3 < {1'd0, in_right}) ? row_end_choice_3 : {1'd0, in_right};
+    wire is_last_same = {in_top, column_choice_4[2:0]} == {in_bottom, row_end_choice_4[2:0]};
     wire row_done = column == row_end;
-    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
-    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
-    wire idle_same_2 = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
-    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] row_choice = row_done ? (row + 3'd1) : row;
+    wire [2:0] column_choice_5 = row_done ? next_begin : (column + 3'd1);
+    wire is_last_same_2 = {row_choice, column_choice_5} == {bottom, row_done ? next_end : row_end};
+    wire idle_choice = idle ? (~in_valid | is_last_same) : is_last_same_2;
+    wire row_end_enable_both = evaluation_in_ready & (idle | row_done);
     wire [2:0] in_top_plus_1 = in_top + 3'd1;
     wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
     wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
@@ -2840,7 +2963,7 @@ module splat_rasterizer (
         .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
-    stream_fifo_d64_w184 shared (
+    stream_fifo_d128_w184 shared (
         .clk(clk), .rst(rst), .in_valid(load), .in_ready(shared_in_ready),
         .in_data({
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -2854,13 +2977,15 @@ module splat_rasterizer (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
+            walks <= 1'd0;
             event_sample <= 1'd0;
             event_starved <= 1'd0;
             event_blocked <= 1'd0;
         end else begin
             if (evaluation_in_ready) begin
-                busy <= load | (busy & ~is_last);
-                idle <= load ? idle_same : (~busy | (is_last | idle_same_2));
+                busy <= idle ? in_valid : busy;
+                idle <= idle_choice;
+                walks <= ~idle_choice;
             end
             event_sample <= evaluation_in_ready & busy;
             event_starved <= evaluation_in_ready & ~busy;
@@ -2869,9 +2994,9 @@ module splat_rasterizer (
     end
     always @(posedge clk) begin
         if (evaluation_in_ready) begin
-            is_last <= load ? idle_same : idle_same_2;
-            column <= load ? idle_choice_4[2:0] : idle_choice_10;
-            row <= load ? in_top : idle_choice_9;
+            is_last <= idle ? is_last_same : is_last_same_2;
+            column <= idle ? column_choice_4[2:0] : column_choice_5;
+            row <= idle ? in_top : row_choice;
         end
         if (take) begin
             slot <= in_slot;
@@ -2899,27 +3024,34 @@ module splat_rasterizer (
             sight_disc <= in_sight_disc;
         end
         if (row_end_enable_both) begin
-            row_end <= load ? idle_choice_8[2:0] : next_end;
-            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
-            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
+            row_end <= idle ? row_end_choice_4[2:0] : next_end;
+            next_begin <= idle ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= idle ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
     wire _unused = &{
-        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
-        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+        1'b0, column_choice_4[3], next_begin_choice_4[3], next_begin_choice_8[3], next_end_choice_4[3],
+        next_end_choice_8[3], row_end_choice_4[3], shared_in_ready, shared_out_valid
     };
 
 `ifdef RTL_ASSERT
     wire check_either = (in_top == in_bottom) | (next_begin_choice_4 <= next_end_choice_4);
-    wire check_either_2 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
+    wire check_either_2 = ~(take & in_valid) | ((column_choice_4 <= row_end_choice_4) & check_either);
+    wire check_either_3 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        rows_have_samples: assert ((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2));
+        rows_have_samples: assert (check_either_2 & (~busy | check_either_3));
+        walks_unless_idle: assert (walks ^ idle);
+        shared_has_room: assert (~load | shared_in_ready);
 `else
-        if (!((~load | ((idle_choice_4 <= idle_choice_8) & check_either)) & (~busy | check_either_2))) begin
+        if (!(check_either_2 & (~busy | check_either_3))) begin
             $display("assertion failed: rows_have_samples in %m"); $stop;
+        end
+        if (!(walks ^ idle)) begin $display("assertion failed: walks_unless_idle in %m"); $stop; end
+        if (!(~load | shared_in_ready)) begin
+            $display("assertion failed: shared_has_room in %m"); $stop;
         end
 `endif
     end
@@ -2927,55 +3059,71 @@ module splat_rasterizer (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 64
+// depth = 128
 // width = 184
-module stream_fifo_d64_w184 (
+module stream_fifo_d128_w184 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [183:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [183:0] out_data
 );
-    reg [6:0] held, waiting;
-    reg [5:0] write_address, read_address;
+    reg [7:0] held, waiting;
+    reg is_full, any_waits;
+    reg [6:0] write_address, read_address;
     wire [183:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [7:0] held_bits = {{7{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(184), .DEPTH(64)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+    memory_1w1r_unordered #(.WIDTH(184), .DEPTH(128)) entries (
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 7'd0;
-            waiting <= 7'd0;
-            write_address <= 6'd0;
-            read_address <= 6'd0;
+            held <= 8'd0;
+            waiting <= 8'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 8'd127);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 8'd1);
+            end
+            if (push) write_address <= write_address + 7'd1;
+            if (fetch) read_address <= read_address + 7'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= write_address + 6'd1;
-            if (fetch) read_address <= read_address + 6'd1;
         end
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 7'd64);
-        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        held_in_range: assert (held <= 8'd128);
+        held_is_waiting_and_shown: assert (held == (waiting + {7'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 8'd128)) & (any_waits == |waiting));
 `else
-        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {6'd0, out_valid}))) begin
+        if (!(held <= 8'd128)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {7'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 8'd128)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -3056,7 +3204,9 @@ module splat_evaluation (
     wire lt_f24_ftz_unit_y;
     wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
     wire queue_1_in_ready;
-    wire [26:0] queue_1_out_data;
+    wire [1:0] queue_1_out_data;
+    wire queue_2_in_ready, queue_2_out_valid;
+    wire [24:0] queue_2_out_data;
 
     assign in_ready = ~credits[7];
     wire [23:0] y_times_my_d6 = delay_6_from_0_out[47:24];
@@ -3090,7 +3240,8 @@ module splat_evaluation (
     wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
     wire [23:0] rho_squared_chosen_copy4 = delay_23_from_0_out ? mul_f24_ftz_unit_copy12_y : 24'h7f8000;
 
-    assign {out_last, out_inside, out_slot, out_pixel, out_weight} = queue_1_out_data;
+    assign {out_last, out_inside} = queue_1_out_data;
+    assign {out_slot, out_pixel, out_weight} = queue_2_out_data;
 
     float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit (
         .clk(clk), .enable(1'd1), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
@@ -3216,10 +3367,16 @@ module splat_evaluation (
         .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
-    stream_fifo_d68_w27 queue_1 (
+    stream_fifo_d68_w2_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
-        .in_data({last_d64, delay_5_from_0_out, slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
+        .in_data({last_d64, delay_5_from_0_out}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
+    );
+
+    stream_fifo_d68_w25 queue_2 (
+        .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
+        .in_data({slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
+        .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
     always @(posedge clk) begin
@@ -3310,15 +3467,23 @@ module splat_evaluation (
         delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, queue_1_in_ready};
+    wire _unused = &{1'b0, queue_1_in_ready, queue_2_in_ready, queue_2_out_valid};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         queue_1_has_a_place_for_each_result: assert (~kept | queue_1_in_ready);
+        queue_2_has_a_place_for_each_result: assert (~kept | queue_2_in_ready);
+        queue_2_in_step: assert (queue_2_out_valid == out_valid);
 `else
         if (!(~kept | queue_1_in_ready)) begin
             $display("assertion failed: queue_1_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(~kept | queue_2_in_ready)) begin
+            $display("assertion failed: queue_2_has_a_place_for_each_result in %m"); $stop;
+        end
+        if (!(queue_2_out_valid == out_valid)) begin
+            $display("assertion failed: queue_2_in_step in %m"); $stop;
         end
 `endif
     end
@@ -3327,25 +3492,30 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 68
-// width = 27
-module stream_fifo_d68_w27 (
+// width = 25
+module stream_fifo_d68_w25 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [24:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [24:0] out_data
 );
-    reg [6:0] held, waiting, write_address, read_address;
-    wire [26:0] item;
+    reg [6:0] held, waiting;
+    reg is_full, any_waits;
+    reg [6:0] write_address, read_address;
+    wire [24:0] item;
 
-    wire has_room = ~(held == 7'd68);
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(27), .DEPTH(68)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+    memory_1w1r_unordered #(.WIDTH(25), .DEPTH(68)) entries (
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -3353,15 +3523,23 @@ module stream_fifo_d68_w27 (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 7'd0;
             read_address <= 7'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd67);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= (write_address == 7'd67) ? 7'd0 : (write_address + 7'd1);
             if (fetch) read_address <= (read_address == 7'd67) ? 7'd0 : (read_address + 7'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -3370,10 +3548,88 @@ module stream_fifo_d68_w27 (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd68);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd68)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd68)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd68)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 68
+// width = 2
+// storage = distributed
+module stream_fifo_d68_w2_distributed (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [1:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [1:0] out_data
+);
+    (* ram_style = "distributed" *)
+    reg [1:0] entries [0:67];
+    reg [6:0] held, waiting;
+    reg is_full, any_waits;
+    reg [6:0] write_address, read_address;
+    reg [1:0] item;
+
+    wire has_room = ~is_full;
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd67);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
+            if (push) write_address <= (write_address == 7'd67) ? 7'd0 : (write_address + 7'd1);
+            if (fetch) read_address <= (read_address == 7'd67) ? 7'd0 : (read_address + 7'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
+        end
+    end
+    always @(posedge clk) begin
+        if (has_room) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd68);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd68)) & (any_waits == |waiting));
+`else
+        if (!(held <= 7'd68)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd68)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -4183,7 +4439,7 @@ module splat_tile_cache (
     reg clearing, clearing_second;
     reg [12:0] cleared;
     reg surface;
-    reg [63:0] mask;
+    reg [64:0] mask;
     reg looking;
     reg [1:0] unchanged;
     reg changed, moving;
@@ -4244,8 +4500,9 @@ module splat_tile_cache (
     reg any_next_place;
     reg [11:0] looked_at;
     reg look_reads, look_is_shown, look_is_seen;
-    reg [63:0] seen_mask;
+    reg [64:0] seen_mask;
     reg seen_stays, missed;
+    wire any_is_stored;
     wire [63:0] stored_mask;
     reg arrived;
     reg arrived_end;  // Closes the frame.
@@ -4277,7 +4534,7 @@ module splat_tile_cache (
 
     wire frame_is_whole = arrived & arrived_end;
     wire full_either = clearing | (clearing_second & (arriving_surface | frame_is_whole));
-    wire [63:0] mask_that_comes = {64{comes}} & mask;
+    wire [63:0] mask_that_comes = {64{comes}} & mask[63:0];
     wire offers_drain = moving & (|leaving_left & ~(owed == 4'd8));
     wire leaving_place_both = leaving_left[1] & ~leaving_left[0];
     wire leaving_place_either = leaving_left[0] | leaving_left[1];
@@ -4300,48 +4557,42 @@ module splat_tile_cache (
     wire may_fill_either = ~any_leaving | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
     wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
     wire fills = filling & ~fills_shifted[0];
-    wire may_fill = moving & may_fill_either & (~filling | fills);
+    wire fill_is_free = ~filling | fills;
+    wire may_fill = moving & may_fill_either & fill_is_free;
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
     wire mask_is_kept = changed & goes;
     wire word_is_cleared_both = clearing_second & ~(changed | look_is_seen | (arrived | forgets));
     wire word_is_cleared = clearing | word_is_cleared_both;
-    wire may_leave = |seen_mask & ~seen_stays;
+    wire may_leave = seen_mask[64] & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
     wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
+    wire stored_masks_write_either = mask_is_kept | word_is_cleared | sends;
     wire surface_xor_frame_is_given = surface ^ frame_is_given;
     wire [12:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
+    wire [12:0] stored_masks_address_choice = word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits;
     wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
-    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
-    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
-    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
-    wire resident_4_and_is_of_copy_4 = resident_4 & is_of_copy_4;
-    wire resident_5_and_is_of_copy_5 = resident_5 & is_of_copy_5;
-    wire resident_6_and_is_of_copy_6 = resident_6 & is_of_copy_6;
-    wire resident_7_and_is_of_copy_7 = resident_7 & is_of_copy_7;
     wire [7:0] copy_hit_bits = {
-        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
-        resident_3_and_is_of_copy_3, resident_4_and_is_of_copy_4, resident_5_and_is_of_copy_5,
-        resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
+        is_of_copy_0, is_of_copy_1, is_of_copy_2, is_of_copy_3, is_of_copy_4, is_of_copy_5, is_of_copy_6,
+        is_of_copy_7
     };
     wire copy_hit = |copy_hit_bits;
     wire end_waits_either_2 = end_waits_either | (changed | moving);
     wire not_end_waits_either_2 = ~end_waits_either_2;
     wire misses = head_waits_and_not_head_end & ~copy_hit & (not_end_waits_either_2 & next_idle);
+    wire [12:0] any_is_stored_address_choice = misses ? {surface, head_tile} : stored_masks_address_bits;
     wire copy_enters = arrived & ~arrived_end;
     wire head_takes = ~head_valid;
     wire look_is_read_both = head_takes & in_queue_out_valid;
     wire [11:0] in_queue_out_tile = in_queue_out_data[20:9];
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
-    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
-    wire send_either_3 = send_either_2 | (resident_4_and_is_of_copy_4 & &in_flight_4) | (resident_5_and_is_of_copy_5 & &in_flight_5);
-    wire send_either_4 = send_either_3 | (resident_6_and_is_of_copy_6 & &in_flight_6) | (resident_7_and_is_of_copy_7 & &in_flight_7);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_4));
-    wire [2:0] copy_slot_either = ({3{resident_1_and_is_of_copy_1}} & 3'd1) | ({3{resident_2_and_is_of_copy_2}} & 3'd2);
-    wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{resident_3_and_is_of_copy_3}} & 3'd3) | ({3{resident_4_and_is_of_copy_4}} & 3'd4);
-    wire [2:0] copy_slot_either_3 = copy_slot_either_2 | ({3{resident_5_and_is_of_copy_5}} & 3'd5) | ({3{resident_6_and_is_of_copy_6}} & 3'd6);
-    wire [2:0] copy_slot = copy_slot_either_3 | {3{resident_7_and_is_of_copy_7}};
+    wire send_either = (is_of_copy_0 & &in_flight_0) | (is_of_copy_1 & &in_flight_1) | (is_of_copy_2 & &in_flight_2);
+    wire send_either_2 = send_either | (is_of_copy_3 & &in_flight_3) | (is_of_copy_4 & &in_flight_4);
+    wire send_either_3 = send_either_2 | (is_of_copy_5 & &in_flight_5) | (is_of_copy_6 & &in_flight_6);
+    wire send_both = out_queue_in_ready & ~(send_either_3 | (is_of_copy_7 & &in_flight_7));
+    wire send = head_waits_and_not_head_end & (copy_hit & send_both);
+    wire [2:0] copy_slot_either = ({3{is_of_copy_1}} & 3'd1) | ({3{is_of_copy_2}} & 3'd2) | ({3{is_of_copy_3}} & 3'd3);
+    wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{is_of_copy_4}} & 3'd4) | ({3{is_of_copy_5}} & 3'd5);
+    wire [2:0] copy_slot = copy_slot_either_2 | ({3{is_of_copy_6}} & 3'd6) | {3{is_of_copy_7}};
     wire looks_at_none = ~(look_reads | (look_is_shown | look_is_seen));
     wire frame_leaves_and_looks_at_none = frame_leaves & looks_at_none;
     wire closes_both = frame_leaves_and_looks_at_none & (frame_is_given & ~any_next_place & ~gone_tiles_out_valid);
@@ -4432,6 +4683,7 @@ module splat_tile_cache (
     };
     wire [7:0] wanted_left_both = wanted_left & ~({8{asks}} & wanted_run);
     wire wanted_row_ends = wanted_left_both == 8'd0;
+    wire [64:0] wanted_rest_choice = sends ? seen_mask : mask;
     wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
     wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
     wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
@@ -4463,7 +4715,6 @@ module splat_tile_cache (
     wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_left_bits_6 & wanted_rest[23:16]) | (wanted_left_bits_5 & wanted_rest[31:24]);
     wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_left_bits_4 & wanted_rest[39:32]) | (wanted_left_bits_3 & wanted_rest[47:40]);
     wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_left_bits_2 & wanted_rest[55:48]) | (wanted_left_bits & wanted_rest[63:56]);
-    wire fill_pixel_enable_both = beat & ~asked_runs_out_leaves;
     wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
     wire drains = offers_drain & ~drains_shifted[0];
     wire [7:0] leaving_left_bits = {
@@ -4518,41 +4769,57 @@ module splat_tile_cache (
     wire ready_0_both = done_and_comes & (slot == 3'd0);
     wire in_flight_0_both = send & (copy_slot == 3'd0);
     wire in_flight_0_enable_both = retire_valid & (retire_slot == 3'd0);
+    wire not_starts_and_next_is_0 = ~starts_and_next_is_0;
+    wire is_of_copy_0_both = resident_0 & not_starts_and_next_is_0 & (tile_0 == in_queue_out_tile);
     wire start_and_next_is_1 = start & next_is_1;
     wire starts_and_next_is_1 = starts & next_is_1;
     wire ready_1_both = done_and_comes & (slot == 3'd1);
     wire in_flight_1_both = send & (copy_slot == 3'd1);
     wire in_flight_1_enable_both = retire_valid & (retire_slot == 3'd1);
+    wire not_starts_and_next_is_1 = ~starts_and_next_is_1;
+    wire is_of_copy_1_both = resident_1 & not_starts_and_next_is_1 & (tile_1 == in_queue_out_tile);
     wire start_and_next_is_2 = start & next_is_2;
     wire starts_and_next_is_2 = starts & next_is_2;
     wire ready_2_both = done_and_comes & (slot == 3'd2);
     wire in_flight_2_both = send & (copy_slot == 3'd2);
     wire in_flight_2_enable_both = retire_valid & (retire_slot == 3'd2);
+    wire not_starts_and_next_is_2 = ~starts_and_next_is_2;
+    wire is_of_copy_2_both = resident_2 & not_starts_and_next_is_2 & (tile_2 == in_queue_out_tile);
     wire start_and_next_is_3 = start & next_is_3;
     wire starts_and_next_is_3 = starts & next_is_3;
     wire ready_3_both = done_and_comes & (slot == 3'd3);
     wire in_flight_3_both = send & (copy_slot == 3'd3);
     wire in_flight_3_enable_both = retire_valid & (retire_slot == 3'd3);
+    wire not_starts_and_next_is_3 = ~starts_and_next_is_3;
+    wire is_of_copy_3_both = resident_3 & not_starts_and_next_is_3 & (tile_3 == in_queue_out_tile);
     wire start_and_next_is_4 = start & next_is_4;
     wire starts_and_next_is_4 = starts & next_is_4;
     wire ready_4_both = done_and_comes & (slot == 3'd4);
     wire in_flight_4_both = send & (copy_slot == 3'd4);
     wire in_flight_4_enable_both = retire_valid & (retire_slot == 3'd4);
+    wire not_starts_and_next_is_4 = ~starts_and_next_is_4;
+    wire is_of_copy_4_both = resident_4 & not_starts_and_next_is_4 & (tile_4 == in_queue_out_tile);
     wire start_and_next_is_5 = start & next_is_5;
     wire starts_and_next_is_5 = starts & next_is_5;
     wire ready_5_both = done_and_comes & (slot == 3'd5);
     wire in_flight_5_both = send & (copy_slot == 3'd5);
     wire in_flight_5_enable_both = retire_valid & (retire_slot == 3'd5);
+    wire not_starts_and_next_is_5 = ~starts_and_next_is_5;
+    wire is_of_copy_5_both = resident_5 & not_starts_and_next_is_5 & (tile_5 == in_queue_out_tile);
     wire start_and_next_is_6 = start & next_is_6;
     wire starts_and_next_is_6 = starts & next_is_6;
     wire ready_6_both = done_and_comes & (slot == 3'd6);
     wire in_flight_6_both = send & (copy_slot == 3'd6);
     wire in_flight_6_enable_both = retire_valid & (retire_slot == 3'd6);
+    wire not_starts_and_next_is_6 = ~starts_and_next_is_6;
+    wire is_of_copy_6_both = resident_6 & not_starts_and_next_is_6 & (tile_6 == in_queue_out_tile);
     wire start_and_next_is_7 = start & next_is_7;
     wire starts_and_next_is_7 = starts & next_is_7;
     wire ready_7_both = done_and_comes & (slot == 3'd7);
     wire in_flight_7_both = send & (copy_slot == 3'd7);
     wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
+    wire not_starts_and_next_is_7 = ~starts_and_next_is_7;
+    wire is_of_copy_7_both = resident_7 & not_starts_and_next_is_7 & (tile_7 == in_queue_out_tile);
     wire next_idle_either = (in_flight_0 == 8'd0) | ((in_flight_0 == 8'd1) & in_flight_0_enable_both);
     wire next_idle_either_2 = (in_flight_1 == 8'd0) | ((in_flight_1 == 8'd1) & in_flight_1_enable_both);
     wire next_idle_either_3 = (next_is_0 & (next_idle_either & ~(in_flight_0_both | used_0))) | (next_is_1 & (next_idle_either_2 & ~(in_flight_1_both | used_1)));
@@ -4615,11 +4882,15 @@ module splat_tile_cache (
     assign fill_slot = slot;
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
-        .clk(clk), .write(mask_is_kept | word_is_cleared | sends),
-        .write_address(word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits),
+        .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
         .write_data({64{mask_is_kept}} & masks_written),
-        .read(1'd1), .read_address(misses ? {surface, head_tile} : stored_masks_address_bits),
-        .read_data(stored_mask)
+        .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(stored_mask)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(8192)) stored_any (
+        .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
+        .write_data(mask_is_kept & |masks_written),
+        .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(any_is_stored)
     );
 
     memory_1w1r_unordered #(.WIDTH(10), .DEPTH(8192)) last_copies (
@@ -4716,34 +4987,42 @@ module splat_tile_cache (
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
             used_0 <= 1'd0;
+            is_of_copy_0 <= 1'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
             used_1 <= 1'd0;
+            is_of_copy_1 <= 1'd0;
             resident_2 <= 1'd0;
             ready_2 <= 1'd0;
             in_flight_2 <= 8'd0;
             used_2 <= 1'd0;
+            is_of_copy_2 <= 1'd0;
             resident_3 <= 1'd0;
             ready_3 <= 1'd0;
             in_flight_3 <= 8'd0;
             used_3 <= 1'd0;
+            is_of_copy_3 <= 1'd0;
             resident_4 <= 1'd0;
             ready_4 <= 1'd0;
             in_flight_4 <= 8'd0;
             used_4 <= 1'd0;
+            is_of_copy_4 <= 1'd0;
             resident_5 <= 1'd0;
             ready_5 <= 1'd0;
             in_flight_5 <= 8'd0;
             used_5 <= 1'd0;
+            is_of_copy_5 <= 1'd0;
             resident_6 <= 1'd0;
             ready_6 <= 1'd0;
             in_flight_6 <= 8'd0;
             used_6 <= 1'd0;
+            is_of_copy_6 <= 1'd0;
             resident_7 <= 1'd0;
             ready_7 <= 1'd0;
             in_flight_7 <= 8'd0;
             used_7 <= 1'd0;
+            is_of_copy_7 <= 1'd0;
             next_idle <= 1'd0;
             turn_is_new <= 1'd1;
             frame_leaves <= 1'd0;
@@ -4767,22 +5046,30 @@ module splat_tile_cache (
             unchanged <= still_unchanged | {2{looking}};
             changed <= change;
             wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_left_both;
-            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | |mask)));
+            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | mask[64])));
             awaited_fills <= (awaited_fills + {5'd0, asks & ~wanted_leaves}) - {5'd0, run_ends & ~asked_runs_out_leaves};
             awaited_leaving <= (awaited_leaving + {5'd0, asks & wanted_leaves}) - {5'd0, run_ends & asked_runs_out_leaves};
-            filling <= fill_pixel_enable_both | (filling & ~fills);
+            filling <= (beat & ~asked_runs_out_leaves) | (filling & ~fills);
             taken_banks <= sample_writes;
             leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_left_both;
             any_leaving <= ~leaving_row_ends | (|leaving_rest | (mask_is_kept & |masks_dirty));
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
             used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
+            is_of_copy_0 <= head_takes ? is_of_copy_0_both : (start_and_next_is_0 | (is_of_copy_0 & not_starts_and_next_is_0));
             used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
+            is_of_copy_1 <= head_takes ? is_of_copy_1_both : (start_and_next_is_1 | (is_of_copy_1 & not_starts_and_next_is_1));
             used_2 <= in_flight_2_both | (used_2 & ~next_is_2);
+            is_of_copy_2 <= head_takes ? is_of_copy_2_both : (start_and_next_is_2 | (is_of_copy_2 & not_starts_and_next_is_2));
             used_3 <= in_flight_3_both | (used_3 & ~next_is_3);
+            is_of_copy_3 <= head_takes ? is_of_copy_3_both : (start_and_next_is_3 | (is_of_copy_3 & not_starts_and_next_is_3));
             used_4 <= in_flight_4_both | (used_4 & ~next_is_4);
+            is_of_copy_4 <= head_takes ? is_of_copy_4_both : (start_and_next_is_4 | (is_of_copy_4 & not_starts_and_next_is_4));
             used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
+            is_of_copy_5 <= head_takes ? is_of_copy_5_both : (start_and_next_is_5 | (is_of_copy_5 & not_starts_and_next_is_5));
             used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
+            is_of_copy_6 <= head_takes ? is_of_copy_6_both : (start_and_next_is_6 | (is_of_copy_6 & not_starts_and_next_is_6));
             used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
+            is_of_copy_7 <= head_takes ? is_of_copy_7_both : (start_and_next_is_7 | (is_of_copy_7 & not_starts_and_next_is_7));
             next_idle <= next_idle_either_15 & ~turns;
             turn_is_new <= turns;
             look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
@@ -4799,7 +5086,7 @@ module splat_tile_cache (
             if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
-                wanted_rest <= begins ? (sends ? seen_mask : mask) : (wanted_rest & ~wanted_rest_bits);
+                wanted_rest <= begins ? wanted_rest_choice[63:0] : (wanted_rest & ~wanted_rest_bits);
             end
             if (begins) wanted_leaves <= sends;
             if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
@@ -4868,7 +5155,7 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
             head_splat <= in_queue_out_splat;
         end
-        if (looking) mask <= stored_mask;
+        if (looking) mask <= {any_is_stored, stored_mask};
         if (job_starts) begin
             slot <= next;
             comes <= start;
@@ -4883,20 +5170,6 @@ module splat_tile_cache (
         end
         if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
         if (start_and_next_is_0) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
-        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
-        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
-        is_of_copy_4 <= head_takes ? (tile_4 == in_queue_out_tile) : (is_of_copy_4 | start_and_next_is_4);
-        is_of_copy_5 <= head_takes ? (tile_5 == in_queue_out_tile) : (is_of_copy_5 | start_and_next_is_5);
-        is_of_copy_6 <= head_takes ? (tile_6 == in_queue_out_tile) : (is_of_copy_6 | start_and_next_is_6);
-        is_of_copy_7 <= head_takes ? (tile_7 == in_queue_out_tile) : (is_of_copy_7 | start_and_next_is_7);
-        arrived_end <= arrives_end;
-        arrived_tile <= arrives_tile;
-        arrived_splat <= arrives_splat;
-        found_valid <= last_copy[9];
-        found_splat <= last_copy[8:0];
-        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (start_and_next_is_1) tile_1 <= head_tile;
         if (start_and_next_is_2) tile_2 <= head_tile;
         if (start_and_next_is_3) tile_3 <= head_tile;
@@ -4909,11 +5182,17 @@ module splat_tile_cache (
         end
         if (looks) looked_at <= gone_tiles_out_valid ? gone_tiles_out_data : next_place;
         if (look_is_shown) begin
-            seen_mask <= stored_mask;
+            seen_mask <= {any_is_stored, stored_mask};
             seen_stays <= last_copy[9] | (seen_stays_either_2 & ~frame_is_given);
         end
+        arrived_end <= arrives_end;
+        arrived_tile <= arrives_tile;
+        arrived_splat <= arrives_splat;
+        found_valid <= last_copy[9];
+        found_splat <= last_copy[8:0];
+        overtaken <= look_is_read_both ? overtaken_both : overtaken_or_overtaken_both_2;
         if (last_reached) forgotten <= {surface, head_tile};
-        if (fill_pixel_enable_both) begin
+        if (fill_is_free) begin
             fill_pixel <= coming_pixel;
             fill_weight <= data_weight;
             fill_depth <= data_depth;
@@ -4928,7 +5207,7 @@ module splat_tile_cache (
         end
     end
 
-    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], write_queue_in_ready};
+    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], wanted_rest_choice[64], write_queue_in_ready};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -4991,13 +5270,17 @@ module stream_fifo_d8_w227_distributed (
     (* ram_style = "distributed" *)
     reg [226:0] entries [0:7];
     reg [3:0] held, waiting;
+    reg is_full, any_waits;
     reg [2:0] write_address, read_address;
     reg [226:0] item;
 
-    wire has_room = ~held[3];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [3:0] held_bits = {{3{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5006,19 +5289,27 @@ module stream_fifo_d8_w227_distributed (
         if (rst) begin
             held <= 4'd0;
             waiting <= 4'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 4'd7);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 4'd1);
+            end
             if (push) write_address <= write_address + 3'd1;
             if (fetch) read_address <= read_address + 3'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5027,10 +5318,14 @@ module stream_fifo_d8_w227_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 4'd8);
         held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 4'd8)) & (any_waits == |waiting));
 `else
         if (!(held <= 4'd8)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {3'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 4'd8)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5049,13 +5344,17 @@ module stream_fifo_d32_w23_distributed (
     (* ram_style = "distributed" *)
     reg [22:0] entries [0:31];
     reg [5:0] held, waiting;
+    reg is_full, any_waits;
     reg [4:0] write_address, read_address;
     reg [22:0] item;
 
-    wire has_room = ~held[5];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5064,19 +5363,27 @@ module stream_fifo_d32_w23_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd31);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= write_address + 5'd1;
             if (fetch) read_address <= read_address + 5'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5085,10 +5392,14 @@ module stream_fifo_d32_w23_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd32);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd32)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd32)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5100,37 +5411,38 @@ endmodule
 module stream_skid_w23 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [22:0] out_data
+    output wire out_valid, input wire out_ready, output wire [22:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [22:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5150,13 +5462,17 @@ module stream_fifo_d16_w12_distributed (
     (* ram_style = "distributed" *)
     reg [11:0] entries [0:15];
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     reg [11:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5165,19 +5481,27 @@ module stream_fifo_d16_w12_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5186,10 +5510,14 @@ module stream_fifo_d16_w12_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5201,37 +5529,38 @@ endmodule
 module stream_skid_w227 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [226:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [226:0] out_data
+    output wire out_valid, input wire out_ready, output wire [226:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [226:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5251,13 +5580,17 @@ module stream_fifo_d16_w52_distributed (
     (* ram_style = "distributed" *)
     reg [51:0] entries [0:15];
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     reg [51:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5266,19 +5599,27 @@ module stream_fifo_d16_w52_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5287,10 +5628,14 @@ module stream_fifo_d16_w52_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5438,19 +5783,23 @@ module stream_fifo_d1024_w10 (
     output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     reg [10:0] held, waiting;
+    reg is_full, any_waits;
     reg [9:0] write_address, read_address;
     wire [9:0] item;
 
-    wire has_room = ~held[10];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [10:0] held_bits = {{10{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -5458,15 +5807,23 @@ module stream_fifo_d1024_w10 (
         if (rst) begin
             held <= 11'd0;
             waiting <= 11'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 10'd0;
             read_address <= 10'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {10'd0, push}) - {10'd0, pop};
-            waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 11'd1023);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 11'd1);
+            end
             if (push) write_address <= write_address + 10'd1;
             if (fetch) read_address <= read_address + 10'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -5475,10 +5832,14 @@ module stream_fifo_d1024_w10 (
 `ifdef FORMAL
         held_in_range: assert (held <= 11'h400);
         held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 11'h400)) & (any_waits == |waiting));
 `else
         if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {10'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 11'h400)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5672,17 +6033,17 @@ module stream_half_buffer_w22 (
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
     output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg full;
+    reg filled;
     reg [21:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -5696,19 +6057,23 @@ module stream_fifo_d1024_w22 (
     output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg [10:0] held, waiting;
+    reg is_full, any_waits;
     reg [9:0] write_address, read_address;
     wire [21:0] item;
 
-    wire has_room = ~held[10];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [10:0] held_bits = {{10{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(22), .DEPTH(1024)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -5716,15 +6081,23 @@ module stream_fifo_d1024_w22 (
         if (rst) begin
             held <= 11'd0;
             waiting <= 11'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 10'd0;
             read_address <= 10'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {10'd0, push}) - {10'd0, pop};
-            waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 11'd1023);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 11'd1);
+            end
             if (push) write_address <= write_address + 10'd1;
             if (fetch) read_address <= read_address + 10'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -5733,10 +6106,14 @@ module stream_fifo_d1024_w22 (
 `ifdef FORMAL
         held_in_range: assert (held <= 11'h400);
         held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 11'h400)) & (any_waits == |waiting));
 `else
         if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {10'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 11'h400)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5750,17 +6127,17 @@ module stream_half_buffer_w50 (
     input  wire in_valid, output wire in_ready, input wire [49:0] in_data,
     output wire out_valid, input wire out_ready, output wire [49:0] out_data
 );
-    reg full;
+    reg filled;
     reg [49:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -6293,37 +6670,38 @@ endmodule
 module stream_skid_w52 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [51:0] out_data
+    output wire out_valid, input wire out_ready, output wire [51:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [51:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6340,19 +6718,23 @@ module stream_fifo_d512_w9 (
     output reg  out_valid, input wire out_ready, output wire [8:0] out_data
 );
     reg [9:0] held, waiting;
+    reg is_full, any_waits;
     reg [8:0] write_address, read_address;
     wire [8:0] item;
 
-    wire has_room = ~held[9];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [9:0] held_bits = {{9{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(9), .DEPTH(512)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -6360,15 +6742,23 @@ module stream_fifo_d512_w9 (
         if (rst) begin
             held <= 10'd0;
             waiting <= 10'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 9'd0;
             read_address <= 9'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {9'd0, push}) - {9'd0, pop};
-            waiting <= (waiting + {9'd0, push}) - {9'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 10'd511);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 10'd1);
+            end
             if (push) write_address <= write_address + 9'd1;
             if (fetch) read_address <= read_address + 9'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -6377,10 +6767,14 @@ module stream_fifo_d512_w9 (
 `ifdef FORMAL
         held_in_range: assert (held <= 10'd512);
         held_is_waiting_and_shown: assert (held == (waiting + {9'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 10'd512)) & (any_waits == |waiting));
 `else
         if (!(held <= 10'd512)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {9'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 10'd512)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -6392,37 +6786,38 @@ endmodule
 module stream_skid_w22 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6536,96 +6931,116 @@ module splat_splitter (
     reg right_most, bottom_most;
     reg [5:0] column, row;
     reg [2:0] left, right, top, bottom;
-    reg [11:0] first_sum_here, first_sum_row_begins;
+    reg [11:0] first_sum_here, first_sum_row_begins, last_sum_here, last_sum_row_begins, first_difference_here;
+    reg [11:0] first_difference_row_begins, last_difference_here, last_difference_row_begins;
     reg [3:0] first_sum;
-    reg [11:0] last_sum_here, last_sum_row_begins;
-    reg [4:0] last_sum;
-    reg [11:0] first_difference_here, first_difference_row_begins;
-    reg [3:0] first_difference;
-    reg [11:0] last_difference_here, last_difference_row_begins;
-    reg [4:0] last_difference;
-    reg first;
+    reg [4:0] last_sum, last_difference;
+    reg [3:0] not_first_difference;
+    reg [4:0] not_last_difference;
+    reg first_sum_not_half, last_sum_not_half, last_sum_not_negative, last_sum_over_half, holds_0, holds_1;
+    reg holds_2, holds_3, stepped, opened, was_first;
 
     wire out_queue_in_ready;
     wire [490:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & open;
     wire step = out_queue_in_ready & busy;
-    wire [4:0] occupied_difference = {~last_sum[4], last_sum[3:0]} - {2'd0, left};
-    wire occupied_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= occupied_difference);
-    wire [4:0] occupied_sum = {2'd3, right} + ~{1'd0, first_difference};
-    wire [5:0] occupied_sum_2 = {1'd1, last_sum[3] & ~last_sum[4], ~last_sum[3], last_sum[2:0]} + ~{2'd0, first_difference};
-    wire occupied_both_2 = occupied_both & ({2'd2, top} <= occupied_sum) & ({2'd2, top} <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_difference_2 = {1'd1, first_sum} - {2'd0, right};
-    wire occupied_both_3 = occupied_both_2 & (occupied_difference_2 <= {2'd2, bottom}) & (occupied_difference_2 <= occupied_difference);
-    wire occupied_both_4 = occupied_both_3 & (occupied_difference_2 <= occupied_sum) & (occupied_difference_2 <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_sum_3 = {2'd3, left} + ~last_difference;
-    wire occupied_both_5 = occupied_both_4 & (occupied_sum_3 <= {2'd2, bottom}) & (occupied_sum_3 <= occupied_difference);
-    wire occupied_both_6 = occupied_both_5 & (occupied_sum_3 <= occupied_sum) & (occupied_sum_3 <= occupied_sum_2[5:1]);
-    wire [5:0] occupied_difference_3 = {1'd1, first_sum[3], ~first_sum[3], first_sum[2:0]} - {last_difference[4], last_difference};
-    wire occupied_both_7 = occupied_both_6 & (occupied_difference_3[5:1] <= {2'd2, bottom}) & (occupied_difference_3[5:1] <= occupied_difference);
-    wire occupied_both_8 = occupied_both_7 & (occupied_difference_3[5:1] <= occupied_sum) & (occupied_difference_3[5:1] <= occupied_sum_2[5:1]);
-    wire occupied = splat_end | occupied_both_8;
-    wire push = step & occupied;
-    wire out_queue_in_data_in_order = occupied_difference_2 <= {2'd2, top};
-    wire out_queue_in_data_in_order_2 = occupied_sum_3 <= {2'd2, top};
-    wire out_queue_in_data_in_order_3 = occupied_difference_3[5:1] <= {2'd2, top};
+    wire kept = holds_0 & holds_1 & holds_2 & holds_3;
+    wire first = opened | (was_first & ~(stepped & kept));
+    wire [4:0] holds_1_difference = {1'd1, first_sum} - {2'd0, right};
+    wire out_queue_in_data_in_order = holds_1_difference <= {2'd2, top};
+    wire [4:0] holds_2_sum = {2'd3, left} + not_last_difference;
+    wire out_queue_in_data_in_order_2 = holds_2_sum <= {2'd2, top};
+    wire [5:0] holds_3_difference = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
+    wire out_queue_in_data_in_order_3 = holds_3_difference[5:1] <= {2'd2, top};
     wire out_queue_in_data_both = out_queue_in_data_in_order & out_queue_in_data_in_order_2 & out_queue_in_data_in_order_3;
-    wire out_queue_in_data_in_order_4 = occupied_sum_3 <= occupied_difference_2;
-    wire out_queue_in_data_in_order_5 = occupied_difference_3[5:1] <= occupied_difference_2;
+    wire out_queue_in_data_in_order_4 = holds_2_sum <= holds_1_difference;
+    wire out_queue_in_data_in_order_5 = holds_3_difference[5:1] <= holds_1_difference;
     wire out_queue_in_data_both_2 = ~out_queue_in_data_in_order & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
-    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & occupied_difference_2);
-    wire out_queue_in_data_in_order_6 = occupied_difference_3[5:1] <= occupied_sum_3;
+    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & holds_1_difference);
+    wire out_queue_in_data_in_order_6 = holds_3_difference[5:1] <= holds_2_sum;
     wire out_queue_in_data_both_3 = ~out_queue_in_data_in_order_2 & ~out_queue_in_data_in_order_4 & out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & occupied_sum_3);
+    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & holds_2_sum);
     wire out_queue_in_data_both_4 = ~out_queue_in_data_in_order_3 & ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & occupied_difference_3[5:1]);
-    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= occupied_difference;
-    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= occupied_sum;
-    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= occupied_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & holds_3_difference[5:1]);
+    wire [4:0] holds_0_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
+    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= holds_0_difference;
+    wire [4:0] holds_0_sum = {2'd3, right} + {1'd1, not_first_difference};
+    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= holds_0_sum;
+    wire [5:0] holds_0_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
+    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_5 = out_queue_in_data_in_order_7 & out_queue_in_data_in_order_8 & out_queue_in_data_in_order_9;
-    wire out_queue_in_data_in_order_10 = occupied_difference <= occupied_sum;
-    wire out_queue_in_data_in_order_11 = occupied_difference <= occupied_sum_2[5:1];
+    wire out_queue_in_data_in_order_10 = holds_0_difference <= holds_0_sum;
+    wire out_queue_in_data_in_order_11 = holds_0_difference <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_6 = ~out_queue_in_data_in_order_7 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
-    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & occupied_difference);
-    wire out_queue_in_data_in_order_12 = occupied_sum <= occupied_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & holds_0_difference);
+    wire out_queue_in_data_in_order_12 = holds_0_sum <= holds_0_sum_2[5:1];
     wire out_queue_in_data_both_7 = ~out_queue_in_data_in_order_8 & ~out_queue_in_data_in_order_10 & out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & occupied_sum);
+    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & holds_0_sum);
     wire out_queue_in_data_both_8 = ~out_queue_in_data_in_order_9 & ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & occupied_sum_2[5:1]);
-    wire take = ready & in_valid;
-    wire moves = take | step;
+    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & holds_0_sum_2[5:1]);
     wire one_column = in_left[8:3] == in_right[8:3];
     wire one_row = in_top[8:3] == in_bottom[8:3];
     wire [5:0] column_plus_1 = column + 6'd1;
     wire reaches_right = right_most ? (splat_left[8:3] == splat_right[8:3]) : (column_plus_1 == splat_right[8:3]);
     wire [5:0] row_plus_1 = row + 6'd1;
     wire reaches_bottom = row_plus_1 == splat_bottom[8:3];
-    wire open_either = open | (reaches_right & (right_most ? reaches_bottom : bottom_most));
-    wire wraps = step & right_most;
-    wire take_or_wraps = take | wraps;
-    wire [11:0] first_sum_row_begins_bits = {3'd0, in_left[8:3], 3'd0};
-    wire [11:0] first_sum_row_begins_sum = first_sum_row_begins_bits + {3'd0, in_top[8:3], 3'd0};
-    wire [11:0] first_sum_row_begins_difference = {2'd0, in_first_sum} - first_sum_row_begins_sum;
+    wire turns = out_queue_in_ready & (open | right_most);
+    wire [11:0] first_sum_arrives_inverted = ~{3'd0, in_left[8:3], 3'd0};
+    wire [11:0] first_sum_arrives_inverted_2 = ~{3'd0, in_top[8:3], 3'd0};
+    wire [11:0] first_sum_arrives_unequal = {2'd0, in_first_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
+    wire [11:0] first_sum_arrives_either = ({2'd0, in_first_sum} & first_sum_arrives_inverted) | ({2'd0, in_first_sum} & first_sum_arrives_inverted_2);
+    wire [11:0] first_sum_arrives_both = first_sum_arrives_inverted & first_sum_arrives_inverted_2;
+    wire [11:0] first_sum_arrives_either_2 = first_sum_arrives_either | first_sum_arrives_both;
+    wire [11:0] first_sum_arrives = first_sum_arrives_unequal - ~{first_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
-    wire [11:0] first_sum_next_choice = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
-    wire [11:0] first_sum_next = open ? first_sum_row_begins_difference : first_sum_next_choice;
-    wire [11:0] last_sum_row_begins_difference = {2'd0, in_last_sum} - first_sum_row_begins_sum;
+    wire [11:0] first_sum_moved = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
+    wire [11:0] last_sum_arrives_unequal = {2'd0, in_last_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
+    wire [11:0] last_sum_arrives_either = ({2'd0, in_last_sum} & first_sum_arrives_inverted) | ({2'd0, in_last_sum} & first_sum_arrives_inverted_2);
+    wire [11:0] last_sum_arrives_either_2 = last_sum_arrives_either | first_sum_arrives_both;
+    wire [11:0] last_sum_arrives = last_sum_arrives_unequal - ~{last_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 12'd8;
-    wire [11:0] last_sum_next_choice = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
-    wire [11:0] last_sum_next = open ? last_sum_row_begins_difference : last_sum_next_choice;
-    wire [3:0] last_sum_choice = (|last_sum_next[10:4] | &last_sum_next[3:0]) ? 4'd14 : last_sum_next[3:0];
-    wire [11:0] last_difference_row_begins_sum = first_sum_row_begins_bits + {3'd0, ~in_top[8:3], 3'd0};
-    wire [11:0] first_difference_row_begins_difference = {2'd0, in_first_difference} - last_difference_row_begins_sum;
+    wire [11:0] last_sum_moved = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
+    wire [11:0] last_difference_arrives_inverted = ~{3'd0, ~in_top[8:3], 3'd0};
+    wire [11:0] first_difference_arrives_unequal = {2'd0, in_first_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
+    wire [11:0] first_difference_arrives_either = ({2'd0, in_first_difference} & first_sum_arrives_inverted) | ({2'd0, in_first_difference} & last_difference_arrives_inverted);
+    wire [11:0] last_difference_arrives_both = first_sum_arrives_inverted & last_difference_arrives_inverted;
+    wire [11:0] first_difference_arrives_either_2 = first_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] first_difference_arrives = first_difference_arrives_unequal - ~{first_difference_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
-    wire [11:0] first_difference_next_choice = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
-    wire [11:0] first_difference_next = open ? first_difference_row_begins_difference : first_difference_next_choice;
-    wire [3:0] first_difference_choice = |first_difference_next[10:4] ? 4'd15 : first_difference_next[3:0];
-    wire [11:0] last_difference_row_begins_difference = {2'd0, in_last_difference} - last_difference_row_begins_sum;
-    wire [11:0] last_difference_row_begins_sum_2 = last_difference_row_begins + 12'd8;
-    wire [11:0] last_difference_next_choice = right_most ? last_difference_row_begins_sum_2 : (last_difference_here - 12'd8);
-    wire [11:0] last_difference_next = open ? last_difference_row_begins_difference : last_difference_next_choice;
-    wire [3:0] last_difference_choice = (|last_difference_next[10:4] | &last_difference_next[3:0]) ? 4'd14 : last_difference_next[3:0];
+    wire [11:0] first_difference_moved = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
+    wire [11:0] last_difference_arrives_unequal = {2'd0, in_last_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
+    wire [11:0] last_difference_arrives_either = ({2'd0, in_last_difference} & first_sum_arrives_inverted) | ({2'd0, in_last_difference} & last_difference_arrives_inverted);
+    wire [11:0] last_difference_arrives_either_2 = last_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] last_difference_arrives = last_difference_arrives_unequal - ~{last_difference_arrives_either_2[10:0], 1'd1};
+    wire [11:0] last_difference_row_begins_sum = last_difference_row_begins + 12'd8;
+    wire [11:0] last_difference_moved = right_most ? last_difference_row_begins_sum : (last_difference_here - 12'd8);
+    wire [3:0] first_sum_choice = first_sum_arrives[11] ? 4'd0 : |first_sum_arrives[10:4] ? 4'd15 : first_sum_arrives[3:0];
+    wire [3:0] first_sum_choice_2 = first_sum_moved[11] ? 4'd0 : |first_sum_moved[10:4] ? 4'd15 : first_sum_moved[3:0];
+    wire [3:0] first_sum_choice_3 = open ? first_sum_choice : first_sum_choice_2;
+    wire [3:0] last_sum_choice = (|last_sum_arrives[10:4] | &last_sum_arrives[3:0]) ? 4'd14 : last_sum_arrives[3:0];
+    wire [4:0] last_sum_bits = {last_sum_arrives[11], {4{last_sum_arrives[11]}} | last_sum_choice};
+    wire [3:0] last_sum_choice_2 = (|last_sum_moved[10:4] | &last_sum_moved[3:0]) ? 4'd14 : last_sum_moved[3:0];
+    wire [4:0] last_sum_bits_2 = {last_sum_moved[11], {4{last_sum_moved[11]}} | last_sum_choice_2};
+    wire [4:0] last_sum_choice_3 = open ? last_sum_bits : last_sum_bits_2;
+    wire [3:0] last_difference_choice = (|last_difference_arrives[10:4] | &last_difference_arrives[3:0]) ? 4'd14 : last_difference_arrives[3:0];
+    wire [4:0] last_difference_bits = {last_difference_arrives[11], {4{last_difference_arrives[11]}} | last_difference_choice};
+    wire [3:0] last_difference_choice_2 = (|last_difference_moved[10:4] | &last_difference_moved[3:0]) ? 4'd14 : last_difference_moved[3:0];
+    wire [4:0] last_difference_bits_2 = {last_difference_moved[11], {4{last_difference_moved[11]}} | last_difference_choice_2};
+    wire [4:0] last_difference_choice_3 = open ? last_difference_bits : last_difference_bits_2;
+    wire [3:0] not_first_difference_choice = |first_difference_arrives[10:4] ? 4'd15 : first_difference_arrives[3:0];
+    wire [3:0] not_first_difference_choice_2 = first_difference_arrives[11] ? 4'd0 : not_first_difference_choice;
+    wire [3:0] not_first_difference_choice_3 = |first_difference_moved[10:4] ? 4'd15 : first_difference_moved[3:0];
+    wire [3:0] not_first_difference_choice_4 = first_difference_moved[11] ? 4'd0 : not_first_difference_choice_3;
+    wire [3:0] not_first_difference_choice_5 = open ? not_first_difference_choice_2 : not_first_difference_choice_4;
+    wire holds_0_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= holds_0_difference);
+    wire holds_0_both_2 = holds_0_both & ({2'd2, top} <= holds_0_sum) & ({2'd2, top} <= holds_0_sum_2[5:1]);
+    wire holds_1_both = (holds_1_difference <= {2'd2, bottom}) & (holds_1_difference <= holds_0_difference);
+    wire holds_1_both_2 = holds_1_both & (holds_1_difference <= holds_0_sum) & (holds_1_difference <= holds_0_sum_2[5:1]);
+    wire holds_2_both = (holds_2_sum <= {2'd2, bottom}) & (holds_2_sum <= holds_0_difference);
+    wire holds_2_both_2 = holds_2_both & (holds_2_sum <= holds_0_sum) & (holds_2_sum <= holds_0_sum_2[5:1]);
+    wire holds_3_both = (holds_3_difference[5:1] <= {2'd2, bottom}) & (holds_3_difference[5:1] <= holds_0_difference);
+    wire holds_3_both_2 = holds_3_both & (holds_3_difference[5:1] <= holds_0_sum) & (holds_3_difference[5:1] <= holds_0_sum_2[5:1]);
 
     assign in_ready = ready;
     assign {
@@ -6636,16 +7051,17 @@ module splat_splitter (
         out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w491 out_queue (
-        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w491_tentative out_queue (
+        .clk(clk), .rst(rst), .in_valid(step), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_cardinal_0, left, right, out_queue_in_data_either_3[2:0], out_queue_in_data_either_6[2:0],
-            first_sum, last_sum[3:0], first_difference, last_difference[3:0], row, column
+            first_sum, last_sum[3:0], ~not_first_difference, last_difference[3:0], row, column
         }),
+        .in_kept(kept),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
@@ -6653,11 +7069,9 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             open <= 1'd1;
-        end else begin
-            busy <= take | (busy & ~(step & open));
-            if (moves) begin
-                open <= (open & in_valid) ? (in_end | (one_column & one_row)) : open_either;
-            end
+        end else if (out_queue_in_ready) begin
+            busy <= open ? in_valid : busy;
+            open <= open ? (~in_valid | (in_end | (one_column & one_row))) : (reaches_right & (right_most ? reaches_bottom : bottom_most));
         end
     end
     always @(posedge clk) begin
@@ -6691,57 +7105,71 @@ module splat_splitter (
             splat_right <= in_right;
             splat_bottom <= in_bottom;
         end
-        if (moves) begin
+        if (out_queue_in_ready) begin
             right_most <= open ? one_column : reaches_right;
             column <= open ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
             left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
             right <= open ? (one_column ? in_right[2:0] : 3'd7) : reaches_right ? splat_right[2:0] : 3'd7;
-            first_sum_here <= first_sum_next;
-            first_sum <= first_sum_next[11] ? 4'd0 : |first_sum_next[10:4] ? 4'd15 : first_sum_next[3:0];
-            last_sum_here <= last_sum_next;
-            last_sum <= {last_sum_next[11], {4{last_sum_next[11]}} | last_sum_choice};
-            first_difference_here <= first_difference_next;
-            first_difference <= first_difference_next[11] ? 4'd0 : first_difference_choice;
-            last_difference_here <= last_difference_next;
-            last_difference <= {last_difference_next[11], {4{last_difference_next[11]}} | last_difference_choice};
+            first_sum_here <= open ? first_sum_arrives : first_sum_moved;
+            last_sum_here <= open ? last_sum_arrives : last_sum_moved;
+            first_difference_here <= open ? first_difference_arrives : first_difference_moved;
+            last_difference_here <= open ? last_difference_arrives : last_difference_moved;
+            first_sum <= first_sum_choice_3;
+            last_sum <= last_sum_choice_3;
+            last_difference <= last_difference_choice_3;
+            not_first_difference <= ~not_first_difference_choice_5;
+            not_last_difference <= ~last_difference_choice_3;
+            first_sum_not_half <= ~first_sum_choice_3[3];
+            last_sum_not_half <= ~last_sum_choice_3[3];
+            last_sum_not_negative <= ~last_sum_choice_3[4];
+            last_sum_over_half <= last_sum_choice_3[3] & ~last_sum_choice_3[4];
         end
-        if (take_or_wraps) begin
+        if (turns) begin
             bottom_most <= open ? one_row : reaches_bottom;
             row <= open ? in_top[8:3] : row_plus_1;
             top <= open ? in_top[2:0] : 3'd0;
             bottom <= open ? (one_row ? in_bottom[2:0] : 3'd7) : reaches_bottom ? splat_bottom[2:0] : 3'd7;
-            first_sum_row_begins <= open ? first_sum_row_begins_difference : first_sum_row_begins_minus_8;
-            last_sum_row_begins <= open ? last_sum_row_begins_difference : last_sum_row_begins_minus_8;
-            first_difference_row_begins <= open ? first_difference_row_begins_difference : first_difference_row_begins_sum;
-            last_difference_row_begins <= open ? last_difference_row_begins_difference : last_difference_row_begins_sum_2;
+            first_sum_row_begins <= open ? first_sum_arrives : first_sum_row_begins_minus_8;
+            last_sum_row_begins <= open ? last_sum_arrives : last_sum_row_begins_minus_8;
+            first_difference_row_begins <= open ? first_difference_arrives : first_difference_row_begins_sum;
+            last_difference_row_begins <= open ? last_difference_arrives : last_difference_row_begins_sum;
         end
-        first <= take | (first & ~push);
+        holds_0 <= ~step | (splat_end | holds_0_both_2);
+        holds_1 <= ~step | (splat_end | holds_1_both_2);
+        holds_2 <= ~step | (splat_end | holds_2_both_2);
+        holds_3 <= ~step | (splat_end | holds_3_both_2);
+        stepped <= step;
+        opened <= ready;
+        was_first <= first;
     end
 
     wire _unused = &{
-        1'b0, occupied_difference_3[0], occupied_sum_2[0], out_queue_in_data_either_3[4:3],
-        out_queue_in_data_either_6[4:3]
+        1'b0, first_difference_arrives_either_2[11], first_sum_arrives_either_2[11], holds_0_sum_2[0],
+        holds_3_difference[0], last_difference_arrives_either_2[11], last_sum[4],
+        last_sum_arrives_either_2[11], out_queue_in_data_either_3[4:3], out_queue_in_data_either_6[4:3]
     };
 endmodule
 
 // One item in a register, at half rate.
 // width = 491
-module stream_half_buffer_w491 (
+// pushes = tentative
+module stream_half_buffer_w491_tentative (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [490:0] in_data,
+    input  wire in_valid, output wire in_ready, input wire [490:0] in_data, input wire in_kept,
     output wire out_valid, input wire out_ready, output wire [490:0] out_data
 );
-    reg full;
+    reg filled;
     reg [490:0] item;
 
+    wire full = filled & in_kept;
     assign in_ready = ~full;
 
     assign out_valid = full;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= full ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -8020,19 +8448,19 @@ module splat_setup (
         .clk(clk), .enable(1'd1), .a(to_fixed_f24_ftz_u24q24_unit_a), .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
 
-    stream_fifo_d22_w121_distributed queue_1 (
+    stream_fifo_d23_w121_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({end_d21, center_x_d15, center_y_d15, ax_out_d10, bx_out_d11, ay_out_d10}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d22_w120_distributed queue_2 (
+    stream_fifo_d23_w120_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({by_out_d11, delta_out, mx_d11, my_d11, sight_negative_out_d12, sight_near_out}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d22_w113_distributed queue_3 (
+    stream_fifo_d23_w113_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({
             sight_far_out, turned_d21, sight_disc_out_d16, delay_7_from_5_out, depth_low_out_d3,
@@ -8041,7 +8469,7 @@ module splat_setup (
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
     );
 
-    stream_fifo_d22_w123_distributed queue_4 (
+    stream_fifo_d23_w123_distributed queue_4 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_4_in_ready),
         .in_data({
             attribute_1_d21, attribute_2_d21, attribute_3_d21, attribute_4_d21, attribute_5_d21,
@@ -8050,7 +8478,7 @@ module splat_setup (
         .out_valid(queue_4_out_valid), .out_ready(out_ready), .out_data(queue_4_out_data)
     );
 
-    stream_fifo_d22_w49_distributed queue_5 (
+    stream_fifo_d23_w49_distributed queue_5 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_5_in_ready),
         .in_data({last_y_d3, first_sum_d1[9:0], last_sum_out_d1, first_difference_d1[9:0], last_difference_out_d1}),
         .out_valid(queue_5_out_valid), .out_ready(out_ready), .out_data(queue_5_out_data)
@@ -8058,7 +8486,7 @@ module splat_setup (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 6'd21;
+            credits <= 6'd22;
             phases_1 <= 8'd1;
             delay_7_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
@@ -9205,23 +9633,28 @@ module splat_setup (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 49
 // storage = distributed
-module stream_fifo_d22_w49_distributed (
+module stream_fifo_d23_w49_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [48:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [48:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [48:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [48:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [48:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9230,31 +9663,43 @@ module stream_fifo_d22_w49_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9262,23 +9707,28 @@ module stream_fifo_d22_w49_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 123
 // storage = distributed
-module stream_fifo_d22_w123_distributed (
+module stream_fifo_d23_w123_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [122:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [122:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [122:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [122:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [122:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9287,31 +9737,43 @@ module stream_fifo_d22_w123_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9319,23 +9781,28 @@ module stream_fifo_d22_w123_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 113
 // storage = distributed
-module stream_fifo_d22_w113_distributed (
+module stream_fifo_d23_w113_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [112:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [112:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [112:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [112:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [112:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9344,31 +9811,43 @@ module stream_fifo_d22_w113_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9376,23 +9855,28 @@ module stream_fifo_d22_w113_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 120
 // storage = distributed
-module stream_fifo_d22_w120_distributed (
+module stream_fifo_d23_w120_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [119:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [119:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9401,31 +9885,43 @@ module stream_fifo_d22_w120_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9433,23 +9929,28 @@ module stream_fifo_d22_w120_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 22
+// depth = 23
 // width = 121
 // storage = distributed
-module stream_fifo_d22_w121_distributed (
+module stream_fifo_d23_w121_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [120:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [120:0] entries [0:21];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [120:0] entries [0:22];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [120:0] item;
 
-    wire has_room = ~(held == 5'd22);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -9458,31 +9959,43 @@ module stream_fifo_d22_w121_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd22);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= (write_address == 5'd22) ? 5'd0 : (write_address + 5'd1);
+            if (fetch) read_address <= (read_address == 5'd22) ? 5'd0 : (read_address + 5'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 5'd21) ? 5'd0 : (write_address + 5'd1);
-            if (fetch) read_address <= (read_address == 5'd21) ? 5'd0 : (read_address + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 5'd22);
+        held_in_range: assert (held <= 5'd23);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd23)) & (any_waits == |waiting));
 `else
-        if (!(held <= 5'd22)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 5'd23)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd23)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -9668,16 +10181,13 @@ module float_min_s2_f24ftz (
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
+            a_nan_s1 <= &a[22:15] & |a[14:0];
+            b_nan_s1 <= &b[22:15] & |b[14:0];
+            less_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a[14:0] & {15{|a[22:15]}}};
+            b_s1 <= {b[23:15], b[14:0] & {15{|b[22:15]}}};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -9692,16 +10202,11 @@ module float_le_s2_f24ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |a[14:0]) | (&b[22:15] & |b[14:0]);
+            both_zero_s1 <= (a[22:15] == 8'd0) & (b[22:15] == 8'd0);
+            compared_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} <= {~b[23], b[22:0] ^ {23{b[23]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -10521,19 +11026,19 @@ module splat_transform (
         .y(max_f24_ftz_unit_y)
     );
 
-    stream_fifo_d5_w121_distributed queue_1 (
+    stream_fifo_d6_w121_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({end_d5, u_x_d1, add_f24_ftz_unit_y, u_z_d2, v1_x_d2, v1_y_d2}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d5_w128_distributed queue_2 (
+    stream_fifo_d6_w128_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({v1_z_d2, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_out_d4, attribute_1_out_d4}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d5_w80_distributed queue_3 (
+    stream_fifo_d6_w80_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4, attribute_5_out_d4, cardinal_0_d5}),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
@@ -10541,7 +11046,7 @@ module splat_transform (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 4'd4;
+            credits <= 4'd5;
             phases_1 <= 8'd1;
             delay_5_from_0_pointer <= 2'd0;
             phases_2 <= 8'd1;
@@ -10764,23 +11269,28 @@ module splat_transform (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 80
 // storage = distributed
-module stream_fifo_d5_w80_distributed (
+module stream_fifo_d6_w80_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [79:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [79:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [79:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [79:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [79:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -10789,31 +11299,43 @@ module stream_fifo_d5_w80_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -10821,23 +11343,28 @@ module stream_fifo_d5_w80_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 128
 // storage = distributed
-module stream_fifo_d5_w128_distributed (
+module stream_fifo_d6_w128_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [127:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [127:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [127:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [127:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -10846,31 +11373,43 @@ module stream_fifo_d5_w128_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -10878,23 +11417,28 @@ module stream_fifo_d5_w128_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 5
+// depth = 6
 // width = 121
 // storage = distributed
-module stream_fifo_d5_w121_distributed (
+module stream_fifo_d6_w121_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [120:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [120:0] entries [0:4];
-    reg [2:0] held, waiting, write_address, read_address;
+    reg [120:0] entries [0:5];
+    reg [2:0] held, waiting;
+    reg is_full, any_waits;
+    reg [2:0] write_address, read_address;
     reg [120:0] item;
 
-    wire has_room = ~(held == 3'd5);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -10903,31 +11447,43 @@ module stream_fifo_d5_w121_distributed (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 3'd0;
             read_address <= 3'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd5);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
+            if (push) write_address <= (write_address == 3'd5) ? 3'd0 : (write_address + 3'd1);
+            if (fetch) read_address <= (read_address == 3'd5) ? 3'd0 : (read_address + 3'd1);
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 3'd4) ? 3'd0 : (write_address + 3'd1);
-            if (fetch) read_address <= (read_address == 3'd4) ? 3'd0 : (read_address + 3'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (held <= 3'd5);
+        held_in_range: assert (held <= 3'd6);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd6)) & (any_waits == |waiting));
 `else
-        if (!(held <= 3'd5)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held <= 3'd6)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd6)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -10944,16 +11500,13 @@ module float_max_s2_f24ftz (
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
+            a_nan_s1 <= &a[22:15] & |a[14:0];
+            b_nan_s1 <= &b[22:15] & |b[14:0];
+            less_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a[14:0] & {15{|a[22:15]}}};
+            b_s1 <= {b[23:15], b[14:0] & {15{|b[22:15]}}};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -10968,16 +11521,11 @@ module float_lt_s2_f24ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} < {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |a[14:0]) | (&b[22:15] & |b[14:0]);
+            both_zero_s1 <= (a[22:15] == 8'd0) & (b[22:15] == 8'd0);
+            compared_s1 <= {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end

@@ -703,37 +703,38 @@ endmodule
 module stream_skid_w417 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [416:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [416:0] out_data
+    output wire out_valid, input wire out_ready, output wire [416:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [416:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -746,37 +747,38 @@ endmodule
 module stream_skid_w35 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [34:0] out_data
+    output wire out_valid, input wire out_ready, output wire [34:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [34:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1619,19 +1621,23 @@ module stream_fifo_d16_w151 (
     output reg  out_valid, input wire out_ready, output wire [150:0] out_data
 );
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     wire [150:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(151), .DEPTH(16)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1639,15 +1645,23 @@ module stream_fifo_d16_w151 (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -1656,10 +1670,14 @@ module stream_fifo_d16_w151 (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1671,37 +1689,38 @@ endmodule
 module stream_skid_w151 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [150:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [150:0] out_data
+    output wire out_valid, input wire out_ready, output wire [150:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [150:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2208,13 +2227,18 @@ module stream_fifo_d27_w31_distributed (
 );
     (* ram_style = "distributed" *)
     reg [30:0] entries [0:26];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [30:0] item;
 
-    wire has_room = ~(held == 5'd27);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -2223,19 +2247,27 @@ module stream_fifo_d27_w31_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd26);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
             if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -2244,10 +2276,14 @@ module stream_fifo_d27_w31_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd27);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd27)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd27)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2265,13 +2301,18 @@ module stream_fifo_d27_w120_distributed (
 );
     (* ram_style = "distributed" *)
     reg [119:0] entries [0:26];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 5'd27);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -2280,19 +2321,27 @@ module stream_fifo_d27_w120_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd26);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
             if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -2301,10 +2350,14 @@ module stream_fifo_d27_w120_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd27);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd27)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd27)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2316,37 +2369,38 @@ endmodule
 module stream_skid_w411 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [410:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [410:0] out_data
+    output wire out_valid, input wire out_ready, output wire [410:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [410:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2359,37 +2413,38 @@ endmodule
 module stream_skid_w29 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
+    output wire out_valid, input wire out_ready, output wire [28:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [28:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2559,37 +2614,38 @@ endmodule
 module stream_skid_w4 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [3:0] out_data
+    output wire out_valid, input wire out_ready, output wire [3:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [3:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2938,15 +2994,11 @@ module float_lt_s1_f32ftz (
     input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
-    wire [22:0] y_both = a[22:0] & {23{|a[30:23]}};
-    wire [30:0] y_bits = {a[30:23], y_both};
-    wire [22:0] y_both_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] y_bits_2 = {b[30:23], y_both_2};
-    wire y_in_order = {~a[31], y_bits ^ {31{a[31]}}} < {~b[31], y_bits_2 ^ {31{b[31]}}};
+    wire y_in_order = {~a[31], a[30:0] ^ {31{a[31]}}} < {~b[31], b[30:0] ^ {31{b[31]}}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= y_in_order & ~((y_bits | y_bits_2) == 31'd0) & ~((&a[30:23] & |y_both) | (&b[30:23] & |y_both_2));
+            y <= y_in_order & ~((a[30:23] == 8'd0) & (b[30:23] == 8'd0)) & ~((&a[30:23] & |a[22:0]) | (&b[30:23] & |b[22:0]));
         end
     end
 endmodule
@@ -3218,37 +3270,38 @@ endmodule
 module stream_skid_w18 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [17:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [17:0] out_data
+    output wire out_valid, input wire out_ready, output wire [17:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [17:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -3565,37 +3618,38 @@ endmodule
 module stream_skid_w19 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [18:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [18:0] out_data
+    output wire out_valid, input wire out_ready, output wire [18:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [18:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

@@ -601,19 +601,23 @@ module stream_fifo_d16_w29 (
     output reg  out_valid, input wire out_ready, output wire [28:0] out_data
 );
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     wire [28:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(29), .DEPTH(16)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -621,15 +625,23 @@ module stream_fifo_d16_w29 (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -638,10 +650,14 @@ module stream_fifo_d16_w29 (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -842,19 +858,23 @@ module stream_fifo_d16_w8 (
     output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     wire [7:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -862,15 +882,23 @@ module stream_fifo_d16_w8 (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -879,10 +907,14 @@ module stream_fifo_d16_w8 (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1008,37 +1040,38 @@ endmodule
 module stream_skid_w65 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
+    output wire out_valid, input wire out_ready, output wire [64:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [64:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1134,37 +1167,38 @@ endmodule
 module stream_skid_w66 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [65:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [65:0] out_data
+    output wire out_valid, input wire out_ready, output wire [65:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [65:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

@@ -1044,13 +1044,18 @@ module stream_fifo_d55_w96_distributed (
 );
     (* ram_style = "distributed" *)
     reg [95:0] entries [0:54];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [95:0] item;
 
-    wire has_room = ~(held == 6'd55);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1059,19 +1064,27 @@ module stream_fifo_d55_w96_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd54);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
             if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1080,10 +1093,14 @@ module stream_fifo_d55_w96_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd55);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd55)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd55)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1101,13 +1118,18 @@ module stream_fifo_d55_w128_distributed (
 );
     (* ram_style = "distributed" *)
     reg [127:0] entries [0:54];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [127:0] item;
 
-    wire has_room = ~(held == 6'd55);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1116,19 +1138,27 @@ module stream_fifo_d55_w128_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd54);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
             if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1137,10 +1167,14 @@ module stream_fifo_d55_w128_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd55);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd55)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd55)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1157,16 +1191,13 @@ module float_max_s2_f32ftz (
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [31:0] a_s1, b_s1;
 
-    wire [22:0] a_nan_s1_both = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] b_nan_s1_both = b[22:0] & {23{|b[30:23]}};
-
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[30:23] & |a_nan_s1_both;
-            b_nan_s1 <= &b[30:23] & |b_nan_s1_both;
-            less_s1 <= {~a[31], {a[30:23], a_nan_s1_both} ^ {31{a[31]}}} < {~b[31], {b[30:23], b_nan_s1_both} ^ {31{b[31]}}};
-            a_s1 <= {a[31:23], a_nan_s1_both};
-            b_s1 <= {b[31:23], b_nan_s1_both};
+            a_nan_s1 <= &a[30:23] & |a[22:0];
+            b_nan_s1 <= &b[30:23] & |b[22:0];
+            less_s1 <= {~a[31], a[30:0] ^ {31{a[31]}}} < {~b[31], b[30:0] ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], a[22:0] & {23{|a[30:23]}}};
+            b_s1 <= {b[31:23], b[22:0] & {23{|b[30:23]}}};
             y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -1183,13 +1214,18 @@ module stream_fifo_d55_w9_distributed (
 );
     (* ram_style = "distributed" *)
     reg [8:0] entries [0:54];
-    reg [5:0] held, waiting, write_address, read_address;
+    reg [5:0] held, waiting;
+    reg is_full, any_waits;
+    reg [5:0] write_address, read_address;
     reg [8:0] item;
 
-    wire has_room = ~(held == 6'd55);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [5:0] held_bits = {{5{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1198,19 +1234,27 @@ module stream_fifo_d55_w9_distributed (
         if (rst) begin
             held <= 6'd0;
             waiting <= 6'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {5'd0, push}) - {5'd0, pop};
-            waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 6'd54);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 6'd1);
+            end
             if (push) write_address <= (write_address == 6'd54) ? 6'd0 : (write_address + 6'd1);
             if (fetch) read_address <= (read_address == 6'd54) ? 6'd0 : (read_address + 6'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1219,10 +1263,14 @@ module stream_fifo_d55_w9_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 6'd55);
         held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 6'd55)) & (any_waits == |waiting));
 `else
         if (!(held <= 6'd55)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {5'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 6'd55)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1641,37 +1689,38 @@ endmodule
 module stream_skid_w192 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [191:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [191:0] out_data
+    output wire out_valid, input wire out_ready, output wire [191:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [191:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1684,37 +1733,38 @@ endmodule
 module stream_skid_w202 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [201:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [201:0] out_data
+    output wire out_valid, input wire out_ready, output wire [201:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [201:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1727,37 +1777,38 @@ endmodule
 module stream_skid_w22 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1777,13 +1828,17 @@ module stream_fifo_d16_w16_distributed (
     (* ram_style = "distributed" *)
     reg [15:0] entries [0:15];
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     reg [15:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1792,19 +1847,27 @@ module stream_fifo_d16_w16_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1813,10 +1876,14 @@ module stream_fifo_d16_w16_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1835,13 +1902,17 @@ module stream_fifo_d64_w21_distributed (
     (* ram_style = "distributed" *)
     reg [20:0] entries [0:63];
     reg [6:0] held, waiting;
+    reg is_full, any_waits;
     reg [5:0] write_address, read_address;
     reg [20:0] item;
 
-    wire has_room = ~held[6];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [6:0] held_bits = {{6{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1850,19 +1921,27 @@ module stream_fifo_d64_w21_distributed (
         if (rst) begin
             held <= 7'd0;
             waiting <= 7'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 6'd0;
             read_address <= 6'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {6'd0, push}) - {6'd0, pop};
-            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 7'd63);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 7'd1);
+            end
             if (push) write_address <= write_address + 6'd1;
             if (fetch) read_address <= read_address + 6'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1871,10 +1950,14 @@ module stream_fifo_d64_w21_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 7'd64);
         held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 7'd64)) & (any_waits == |waiting));
 `else
         if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {6'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 7'd64)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -2470,17 +2553,17 @@ module stream_half_buffer_w266 (
     input  wire in_valid, output wire in_ready, input wire [265:0] in_data,
     output wire out_valid, input wire out_ready, output wire [265:0] out_data
 );
-    reg full;
+    reg filled;
     reg [265:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -2492,17 +2575,17 @@ module stream_half_buffer_w121 (
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
     output wire out_valid, input wire out_ready, output wire [120:0] out_data
 );
-    reg full;
+    reg filled;
     reg [120:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -2936,19 +3019,19 @@ module process_finish (
         .clk(clk), .enable(1'd1), .a(distance), .b(setting_tolerance), .y(le_f32_ftz_unit_y)
     );
 
-    stream_fifo_d15_w103_distributed queue_1 (
+    stream_fifo_d16_w103_distributed queue_1 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_1_in_ready),
         .in_data({delay_14_from_0_out, surface_x_d1, surface_y, surface_z_d1}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_1_out_data)
     );
 
-    stream_fifo_d15_w128_distributed queue_2 (
+    stream_fifo_d16_w128_distributed queue_2 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_2_in_ready),
         .in_data({normal_x_d1, normal_y_d1, normal_z_d1, residual_there_d1}),
         .out_valid(queue_2_out_valid), .out_ready(out_ready), .out_data(queue_2_out_data)
     );
 
-    stream_fifo_d15_w100_distributed queue_3 (
+    stream_fifo_d16_w100_distributed queue_3 (
         .clk(clk), .rst(rst), .in_valid(kept), .in_ready(queue_3_in_ready),
         .in_data({valid_d1, surface_x_d1, surface_y, surface_z_d1, 1'd1, finished_d1, 1'd1}),
         .out_valid(queue_3_out_valid), .out_ready(out_ready), .out_data(queue_3_out_data)
@@ -2956,7 +3039,7 @@ module process_finish (
 
     always @(posedge clk) begin
         if (rst) begin
-            credits <= 5'd14;
+            credits <= 5'd15;
             phases_1 <= 8'd1;
             delay_6_from_0_pointer <= 3'd0;
             phases_2 <= 8'd1;
@@ -3400,56 +3483,73 @@ module process_finish (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 15
+// depth = 16
 // width = 100
 // storage = distributed
-module stream_fifo_d15_w100_distributed (
+module stream_fifo_d16_w100_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [99:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [99:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [99:0] entries [0:14];
-    reg [3:0] held, waiting, write_address, read_address;
+    reg [99:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [3:0] write_address, read_address;
     reg [99:0] item;
 
-    wire has_room = ~(held == 4'd15);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
+            held <= 5'd0;
+            waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (1'd1);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
-        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -3457,56 +3557,73 @@ module stream_fifo_d15_w100_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 15
+// depth = 16
 // width = 128
 // storage = distributed
-module stream_fifo_d15_w128_distributed (
+module stream_fifo_d16_w128_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [127:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [127:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [127:0] entries [0:14];
-    reg [3:0] held, waiting, write_address, read_address;
+    reg [127:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [3:0] write_address, read_address;
     reg [127:0] item;
 
-    wire has_room = ~(held == 4'd15);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
+            held <= 5'd0;
+            waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (1'd1);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
-        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -3514,56 +3631,73 @@ module stream_fifo_d15_w128_distributed (
 endmodule
 
 // Queue in a memory with a registered output.
-// depth = 15
+// depth = 16
 // width = 103
 // storage = distributed
-module stream_fifo_d15_w103_distributed (
+module stream_fifo_d16_w103_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [102:0] in_data,
     output reg  out_valid, input wire out_ready, output wire [102:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [102:0] entries [0:14];
-    reg [3:0] held, waiting, write_address, read_address;
+    reg [102:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [3:0] write_address, read_address;
     reg [102:0] item;
 
-    wire has_room = ~(held == 4'd15);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
-            held <= 4'd0;
-            waiting <= 4'd0;
+            held <= 5'd0;
+            waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {3'd0, push}) - {3'd0, pop};
-            waiting <= (waiting + {3'd0, push}) - {3'd0, fetch};
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
             out_valid <= fetch | (out_valid & ~out_ready);
-            if (push) write_address <= (write_address == 4'd14) ? 4'd0 : (write_address + 4'd1);
-            if (fetch) read_address <= (read_address == 4'd14) ? 4'd0 : (read_address + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        held_in_range: assert (1'd1);
-        held_is_waiting_and_shown: assert (held == (waiting + {3'd0, out_valid}));
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
-        if (!(1'd1)) begin $display("assertion failed: held_in_range in %m"); $stop; end
-        if (!(held == (waiting + {3'd0, out_valid}))) begin
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -3579,16 +3713,11 @@ module float_le_s2_f32ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
-    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
-            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} <= {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
+            unordered_s1 <= (&a[30:23] & |a[22:0]) | (&b[30:23] & |b[22:0]);
+            both_zero_s1 <= (a[30:23] == 8'd0) & (b[30:23] == 8'd0);
+            compared_s1 <= {~a[31], a[30:0] ^ {31{a[31]}}} <= {~b[31], b[30:0] ^ {31{b[31]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -3603,16 +3732,11 @@ module float_lt_s2_f32ftz (
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
-    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
-
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
-            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} < {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
+            unordered_s1 <= (&a[30:23] & |a[22:0]) | (&b[30:23] & |b[22:0]);
+            both_zero_s1 <= (a[30:23] == 8'd0) & (b[30:23] == 8'd0);
+            compared_s1 <= {~a[31], a[30:0] ^ {31{a[31]}}} < {~b[31], b[30:0] ^ {31{b[31]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -5018,17 +5142,17 @@ module stream_half_buffer_w1991 (
     input  wire in_valid, output wire in_ready, input wire [1990:0] in_data,
     output wire out_valid, input wire out_ready, output wire [1990:0] out_data
 );
-    reg full;
+    reg filled;
     reg [1990:0] item;
 
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) filled <= 1'd0;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
@@ -5038,37 +5162,38 @@ endmodule
 module stream_skid_w135 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [134:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [134:0] out_data
+    output wire out_valid, input wire out_ready, output wire [134:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [134:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5081,37 +5206,38 @@ endmodule
 module stream_skid_w297 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [296:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [296:0] out_data
+    output wire out_valid, input wire out_ready, output wire [296:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [296:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5124,37 +5250,38 @@ endmodule
 module stream_skid_w103 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [102:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [102:0] out_data
+    output wire out_valid, input wire out_ready, output wire [102:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [102:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5167,37 +5294,38 @@ endmodule
 module stream_skid_w104 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [103:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [103:0] out_data
+    output wire out_valid, input wire out_ready, output wire [103:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [103:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5210,37 +5338,38 @@ endmodule
 module stream_skid_w121 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [120:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [120:0] out_data
+    output wire out_valid, input wire out_ready, output wire [120:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [120:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5477,37 +5606,38 @@ endmodule
 module stream_skid_w34 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
+    output wire out_valid, input wire out_ready, output wire [33:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [33:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5520,37 +5650,38 @@ endmodule
 module stream_skid_w33 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [32:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [32:0] out_data
+    output wire out_valid, input wire out_ready, output wire [32:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [32:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5570,12 +5701,16 @@ module stream_fifo_d128_w7_distributed (
     (* ram_style = "distributed" *)
     reg [6:0] entries [0:127];
     reg [7:0] held, waiting;
+    reg is_full, any_waits;
     reg [6:0] write_address, read_address, item;
 
-    wire has_room = ~held[7];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [7:0] held_bits = {{7{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5584,19 +5719,27 @@ module stream_fifo_d128_w7_distributed (
         if (rst) begin
             held <= 8'd0;
             waiting <= 8'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 7'd0;
             read_address <= 7'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {7'd0, push}) - {7'd0, pop};
-            waiting <= (waiting + {7'd0, push}) - {7'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 8'd127);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 8'd1);
+            end
             if (push) write_address <= write_address + 7'd1;
             if (fetch) read_address <= read_address + 7'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5605,10 +5748,14 @@ module stream_fifo_d128_w7_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 8'd128);
         held_is_waiting_and_shown: assert (held == (waiting + {7'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 8'd128)) & (any_waits == |waiting));
 `else
         if (!(held <= 8'd128)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {7'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 8'd128)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -5705,13 +5852,16 @@ module stream_fifo_d2_w104_distributed (
     (* ram_style = "distributed" *)
     reg [103:0] entries [0:1];
     reg [1:0] held, waiting;
-    reg write_address, read_address;
+    reg is_full, any_waits, write_address, read_address;
     reg [103:0] item;
 
-    wire has_room = ~held[1];
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [1:0] held_bits = {~push, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -5720,19 +5870,27 @@ module stream_fifo_d2_w104_distributed (
         if (rst) begin
             held <= 2'd0;
             waiting <= 2'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 1'd0;
             read_address <= 1'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {1'd0, push}) - {1'd0, pop};
-            waiting <= (waiting + {1'd0, push}) - {1'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 2'd1);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 2'd1);
+            end
             if (push) write_address <= write_address + 1'd1;
             if (fetch) read_address <= read_address + 1'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -5741,10 +5899,14 @@ module stream_fifo_d2_w104_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 2'd2);
         held_is_waiting_and_shown: assert (held == (waiting + {1'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 2'd2)) & (any_waits == |waiting));
 `else
         if (!(held <= 2'd2)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {1'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 2'd2)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -6453,37 +6615,38 @@ endmodule
 module stream_skid_w417 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [416:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [416:0] out_data
+    output wire out_valid, input wire out_ready, output wire [416:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [416:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6496,37 +6659,38 @@ endmodule
 module stream_skid_w35 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [34:0] out_data
+    output wire out_valid, input wire out_ready, output wire [34:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [34:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -7369,19 +7533,23 @@ module stream_fifo_d16_w151 (
     output reg  out_valid, input wire out_ready, output wire [150:0] out_data
 );
     reg [4:0] held, waiting;
+    reg is_full, any_waits;
     reg [3:0] write_address, read_address;
     wire [150:0] item;
 
-    wire has_room = ~held[4];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(151), .DEPTH(16)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -7389,15 +7557,23 @@ module stream_fifo_d16_w151 (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 4'd0;
             read_address <= 4'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd15);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= write_address + 4'd1;
             if (fetch) read_address <= read_address + 4'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -7406,10 +7582,14 @@ module stream_fifo_d16_w151 (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd16);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd16)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd16)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -7421,37 +7601,38 @@ endmodule
 module stream_skid_w151 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [150:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [150:0] out_data
+    output wire out_valid, input wire out_ready, output wire [150:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [150:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -7958,13 +8139,18 @@ module stream_fifo_d27_w31_distributed (
 );
     (* ram_style = "distributed" *)
     reg [30:0] entries [0:26];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [30:0] item;
 
-    wire has_room = ~(held == 5'd27);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -7973,19 +8159,27 @@ module stream_fifo_d27_w31_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd26);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
             if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -7994,10 +8188,14 @@ module stream_fifo_d27_w31_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd27);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd27)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd27)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -8015,13 +8213,18 @@ module stream_fifo_d27_w120_distributed (
 );
     (* ram_style = "distributed" *)
     reg [119:0] entries [0:26];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 5'd27);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -8030,19 +8233,27 @@ module stream_fifo_d27_w120_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd26);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= (write_address == 5'd26) ? 5'd0 : (write_address + 5'd1);
             if (fetch) read_address <= (read_address == 5'd26) ? 5'd0 : (read_address + 5'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -8051,10 +8262,14 @@ module stream_fifo_d27_w120_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd27);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd27)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd27)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd27)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -8066,37 +8281,38 @@ endmodule
 module stream_skid_w411 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [410:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [410:0] out_data
+    output wire out_valid, input wire out_ready, output wire [410:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [410:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -8109,37 +8325,38 @@ endmodule
 module stream_skid_w29 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
+    output wire out_valid, input wire out_ready, output wire [28:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [28:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -8309,37 +8526,38 @@ endmodule
 module stream_skid_w4 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [3:0] out_data
+    output wire out_valid, input wire out_ready, output wire [3:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [3:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -8688,15 +8906,11 @@ module float_lt_s1_f32ftz (
     input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
-    wire [22:0] y_both = a[22:0] & {23{|a[30:23]}};
-    wire [30:0] y_bits = {a[30:23], y_both};
-    wire [22:0] y_both_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] y_bits_2 = {b[30:23], y_both_2};
-    wire y_in_order = {~a[31], y_bits ^ {31{a[31]}}} < {~b[31], y_bits_2 ^ {31{b[31]}}};
+    wire y_in_order = {~a[31], a[30:0] ^ {31{a[31]}}} < {~b[31], b[30:0] ^ {31{b[31]}}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= y_in_order & ~((y_bits | y_bits_2) == 31'd0) & ~((&a[30:23] & |y_both) | (&b[30:23] & |y_both_2));
+            y <= y_in_order & ~((a[30:23] == 8'd0) & (b[30:23] == 8'd0)) & ~((&a[30:23] & |a[22:0]) | (&b[30:23] & |b[22:0]));
         end
     end
 endmodule
@@ -8968,37 +9182,38 @@ endmodule
 module stream_skid_w18 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [17:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [17:0] out_data
+    output wire out_valid, input wire out_ready, output wire [17:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [17:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -9315,37 +9530,38 @@ endmodule
 module stream_skid_w19 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [18:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [18:0] out_data
+    output wire out_valid, input wire out_ready, output wire [18:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [18:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

@@ -355,19 +355,23 @@ module stream_fifo_d4_w22 (
     output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg [2:0] held, waiting;
+    reg is_full, any_waits;
     reg [1:0] write_address, read_address;
     wire [21:0] item;
 
-    wire has_room = ~held[2];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(22), .DEPTH(4)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -375,15 +379,23 @@ module stream_fifo_d4_w22 (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 2'd0;
             read_address <= 2'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd3);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
             if (push) write_address <= write_address + 2'd1;
             if (fetch) read_address <= read_address + 2'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -392,10 +404,14 @@ module stream_fifo_d4_w22 (
 `ifdef FORMAL
         held_in_range: assert (held <= 3'd4);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd4)) & (any_waits == |waiting));
 `else
         if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd4)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -553,37 +569,38 @@ endmodule
 module stream_skid_w49 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [48:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [48:0] out_data
+    output wire out_valid, input wire out_ready, output wire [48:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [48:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -600,19 +617,23 @@ module stream_fifo_d4_w8 (
     output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [2:0] held, waiting;
+    reg is_full, any_waits;
     reg [1:0] write_address, read_address;
     wire [7:0] item;
 
-    wire has_room = ~held[2];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(8), .DEPTH(4)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -620,15 +641,23 @@ module stream_fifo_d4_w8 (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 2'd0;
             read_address <= 2'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd3);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
             if (push) write_address <= write_address + 2'd1;
             if (fetch) read_address <= read_address + 2'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -637,10 +666,14 @@ module stream_fifo_d4_w8 (
 `ifdef FORMAL
         held_in_range: assert (held <= 3'd4);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd4)) & (any_waits == |waiting));
 `else
         if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd4)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -652,37 +685,38 @@ endmodule
 module stream_skid_w36 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [35:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [35:0] out_data
+    output wire out_valid, input wire out_ready, output wire [35:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [35:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -802,37 +836,38 @@ endmodule
 module stream_skid_w65 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
+    output wire out_valid, input wire out_ready, output wire [64:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [64:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -947,37 +982,38 @@ endmodule
 module stream_skid_w51 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [50:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [50:0] out_data
+    output wire out_valid, input wire out_ready, output wire [50:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [50:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

@@ -738,19 +738,23 @@ module stream_fifo_d4_w42 (
     output reg  out_valid, input wire out_ready, output wire [41:0] out_data
 );
     reg [2:0] held, waiting;
+    reg is_full, any_waits;
     reg [1:0] write_address, read_address;
     wire [41:0] item;
 
-    wire has_room = ~held[2];
+    wire has_room = ~is_full;
+    wire fetch = any_waits & (~out_valid | out_ready);
     wire push = in_valid & has_room;
-    wire fetch = |waiting & (~out_valid | out_ready);
     wire pop = out_valid & out_ready;
+    wire push_xor_pop = push ^ pop;
+    wire [2:0] held_bits = {{2{~push}}, 1'd1};
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(42), .DEPTH(4)) entries (
-        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(has_room), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -758,15 +762,23 @@ module stream_fifo_d4_w42 (
         if (rst) begin
             held <= 3'd0;
             waiting <= 3'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 2'd0;
             read_address <= 2'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {2'd0, push}) - {2'd0, pop};
-            waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 3'd3);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 3'd1);
+            end
             if (push) write_address <= write_address + 2'd1;
             if (fetch) read_address <= read_address + 2'd1;
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
 
@@ -775,10 +787,14 @@ module stream_fifo_d4_w42 (
 `ifdef FORMAL
         held_in_range: assert (held <= 3'd4);
         held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 3'd4)) & (any_waits == |waiting));
 `else
         if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {2'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 3'd4)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -790,37 +806,38 @@ endmodule
 module stream_skid_w42 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [41:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [41:0] out_data
+    output wire out_valid, input wire out_ready, output wire [41:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [41:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1123,13 +1140,18 @@ module stream_fifo_d26_w42_distributed (
 );
     (* ram_style = "distributed" *)
     reg [41:0] entries [0:25];
-    reg [4:0] held, waiting, write_address, read_address;
+    reg [4:0] held, waiting;
+    reg is_full, any_waits;
+    reg [4:0] write_address, read_address;
     reg [41:0] item;
 
-    wire has_room = ~(held == 5'd26);
+    wire has_room = ~is_full;
     wire push = in_valid & has_room;
     wire pop = out_valid & out_ready;
-    wire fetch = |waiting & (~out_valid | out_ready);
+    wire push_xor_pop = push ^ pop;
+    wire [4:0] held_bits = {{4{~push}}, 1'd1};
+    wire fetch = any_waits & (~out_valid | out_ready);
+    wire push_xor_fetch = push ^ fetch;
 
     assign in_ready = has_room;
     assign out_data = item;
@@ -1138,19 +1160,27 @@ module stream_fifo_d26_w42_distributed (
         if (rst) begin
             held <= 5'd0;
             waiting <= 5'd0;
+            is_full <= 1'd0;
+            any_waits <= 1'd0;
             write_address <= 5'd0;
             read_address <= 5'd0;
             out_valid <= 1'd0;
         end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push_xor_pop) begin
+                held <= held + held_bits;
+                is_full <= push & (held == 5'd25);
+            end
+            if (push_xor_fetch) begin
+                waiting <= waiting + held_bits;
+                any_waits <= push | ~(waiting == 5'd1);
+            end
             if (push) write_address <= (write_address == 5'd25) ? 5'd0 : (write_address + 5'd1);
             if (fetch) read_address <= (read_address == 5'd25) ? 5'd0 : (read_address + 5'd1);
+            out_valid <= fetch | (out_valid & ~out_ready);
         end
     end
     always @(posedge clk) begin
-        if (push) entries[write_address] <= in_data;
+        if (has_room) entries[write_address] <= in_data;
         if (fetch) item <= entries[read_address];
     end
 
@@ -1159,10 +1189,14 @@ module stream_fifo_d26_w42_distributed (
 `ifdef FORMAL
         held_in_range: assert (held <= 5'd26);
         held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+        full_and_waiting_are_told: assert ((is_full == (held == 5'd26)) & (any_waits == |waiting));
 `else
         if (!(held <= 5'd26)) begin $display("assertion failed: held_in_range in %m"); $stop; end
         if (!(held == (waiting + {4'd0, out_valid}))) begin
             $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+        if (!((is_full == (held == 5'd26)) & (any_waits == |waiting))) begin
+            $display("assertion failed: full_and_waiting_are_told in %m"); $stop;
         end
 `endif
     end
@@ -1174,37 +1208,38 @@ endmodule
 module stream_skid_w91 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [90:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [90:0] out_data
+    output wire out_valid, input wire out_ready, output wire [90:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [90:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1217,37 +1252,38 @@ endmodule
 module stream_skid_w22 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
+    output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1405,37 +1441,38 @@ endmodule
 module stream_skid_w2 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [1:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [1:0] out_data
+    output wire out_valid, input wire out_ready, output wire [1:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [1:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1739,15 +1776,11 @@ module float_lt_s1_f24ftz (
     input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
-    wire [14:0] y_both = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] y_bits = {a[22:15], y_both};
-    wire [14:0] y_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] y_bits_2 = {b[22:15], y_both_2};
-    wire y_in_order = {~a[23], y_bits ^ {23{a[23]}}} < {~b[23], y_bits_2 ^ {23{b[23]}}};
+    wire y_in_order = {~a[23], a[22:0] ^ {23{a[23]}}} < {~b[23], b[22:0] ^ {23{b[23]}}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= y_in_order & ~((y_bits | y_bits_2) == 23'd0) & ~((&a[22:15] & |y_both) | (&b[22:15] & |y_both_2));
+            y <= y_in_order & ~((a[22:15] == 8'd0) & (b[22:15] == 8'd0)) & ~((&a[22:15] & |a[14:0]) | (&b[22:15] & |b[14:0]));
         end
     end
 endmodule
@@ -2001,37 +2034,38 @@ endmodule
 module stream_skid_w8 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
+    output wire out_valid, input wire out_ready, output wire [7:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [7:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2232,37 +2266,38 @@ endmodule
 module stream_skid_w9 (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [8:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [8:0] out_data
+    output wire out_valid, input wire out_ready, output wire [8:0] out_data
 );
-    reg second_valid;
+    reg head_filled, second_filled;
     reg [8:0] head, second;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
+    assign in_ready = ~second_filled;
+    wire advance = ~head_filled | out_ready;
+    wire some_item = second_filled | in_valid;
 
+    assign out_valid = head_filled;
     assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            head_filled <= 1'd0;
+            second_filled <= 1'd0;
         end else begin
-            if (advance) out_valid <= some_item;
-            second_valid <= ~advance & some_item;
+            head_filled <= advance ? some_item : head_filled;
+            second_filled <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) head <= second_valid ? second : in_data;
+        if (advance) head <= second_filled ? second : in_data;
         if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (out_valid | in_ready);
+        second_waits_behind_head: assert (head_filled | in_ready);
 `else
-        if (!(out_valid | in_ready)) begin
+        if (!(head_filled | in_ready)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
