@@ -6937,48 +6937,55 @@ module splat_splitter (
     reg [4:0] last_sum, last_difference;
     reg [3:0] not_first_difference;
     reg [4:0] not_last_difference;
-    reg first_sum_not_half, last_sum_not_half, last_sum_not_negative, last_sum_over_half, holds_0, holds_1;
-    reg holds_2, holds_3, stepped, opened, was_first;
+    reg first_sum_not_half, last_sum_not_half, last_sum_not_negative, last_sum_over_half, first;
 
     wire out_queue_in_ready;
     wire [490:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & open;
     wire step = out_queue_in_ready & busy;
-    wire kept = holds_0 & holds_1 & holds_2 & holds_3;
-    wire first = opened | (was_first & ~(stepped & kept));
-    wire [4:0] holds_1_difference = {1'd1, first_sum} - {2'd0, right};
-    wire out_queue_in_data_in_order = holds_1_difference <= {2'd2, top};
-    wire [4:0] holds_2_sum = {2'd3, left} + not_last_difference;
-    wire out_queue_in_data_in_order_2 = holds_2_sum <= {2'd2, top};
-    wire [5:0] holds_3_difference = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
-    wire out_queue_in_data_in_order_3 = holds_3_difference[5:1] <= {2'd2, top};
+    wire [4:0] occupied_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
+    wire occupied_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= occupied_difference);
+    wire [4:0] occupied_sum = {2'd3, right} + {1'd1, not_first_difference};
+    wire [5:0] occupied_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
+    wire occupied_both_2 = occupied_both & ({2'd2, top} <= occupied_sum) & ({2'd2, top} <= occupied_sum_2[5:1]);
+    wire [4:0] occupied_difference_2 = {1'd1, first_sum} - {2'd0, right};
+    wire occupied_both_3 = occupied_both_2 & (occupied_difference_2 <= {2'd2, bottom}) & (occupied_difference_2 <= occupied_difference);
+    wire occupied_both_4 = occupied_both_3 & (occupied_difference_2 <= occupied_sum) & (occupied_difference_2 <= occupied_sum_2[5:1]);
+    wire [4:0] occupied_sum_3 = {2'd3, left} + not_last_difference;
+    wire occupied_both_5 = occupied_both_4 & (occupied_sum_3 <= {2'd2, bottom}) & (occupied_sum_3 <= occupied_difference);
+    wire occupied_both_6 = occupied_both_5 & (occupied_sum_3 <= occupied_sum) & (occupied_sum_3 <= occupied_sum_2[5:1]);
+    wire [5:0] occupied_difference_3 = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
+    wire occupied_both_7 = occupied_both_6 & (occupied_difference_3[5:1] <= {2'd2, bottom}) & (occupied_difference_3[5:1] <= occupied_difference);
+    wire occupied_both_8 = occupied_both_7 & (occupied_difference_3[5:1] <= occupied_sum) & (occupied_difference_3[5:1] <= occupied_sum_2[5:1]);
+    wire occupied = splat_end | occupied_both_8;
+    wire push = step & occupied;
+    wire out_queue_in_data_in_order = occupied_difference_2 <= {2'd2, top};
+    wire out_queue_in_data_in_order_2 = occupied_sum_3 <= {2'd2, top};
+    wire out_queue_in_data_in_order_3 = occupied_difference_3[5:1] <= {2'd2, top};
     wire out_queue_in_data_both = out_queue_in_data_in_order & out_queue_in_data_in_order_2 & out_queue_in_data_in_order_3;
-    wire out_queue_in_data_in_order_4 = holds_2_sum <= holds_1_difference;
-    wire out_queue_in_data_in_order_5 = holds_3_difference[5:1] <= holds_1_difference;
+    wire out_queue_in_data_in_order_4 = occupied_sum_3 <= occupied_difference_2;
+    wire out_queue_in_data_in_order_5 = occupied_difference_3[5:1] <= occupied_difference_2;
     wire out_queue_in_data_both_2 = ~out_queue_in_data_in_order & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
-    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & holds_1_difference);
-    wire out_queue_in_data_in_order_6 = holds_3_difference[5:1] <= holds_2_sum;
+    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & occupied_difference_2);
+    wire out_queue_in_data_in_order_6 = occupied_difference_3[5:1] <= occupied_sum_3;
     wire out_queue_in_data_both_3 = ~out_queue_in_data_in_order_2 & ~out_queue_in_data_in_order_4 & out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & holds_2_sum);
+    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & occupied_sum_3);
     wire out_queue_in_data_both_4 = ~out_queue_in_data_in_order_3 & ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & holds_3_difference[5:1]);
-    wire [4:0] holds_0_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
-    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= holds_0_difference;
-    wire [4:0] holds_0_sum = {2'd3, right} + {1'd1, not_first_difference};
-    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= holds_0_sum;
-    wire [5:0] holds_0_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
-    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= holds_0_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & occupied_difference_3[5:1]);
+    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= occupied_difference;
+    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= occupied_sum;
+    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= occupied_sum_2[5:1];
     wire out_queue_in_data_both_5 = out_queue_in_data_in_order_7 & out_queue_in_data_in_order_8 & out_queue_in_data_in_order_9;
-    wire out_queue_in_data_in_order_10 = holds_0_difference <= holds_0_sum;
-    wire out_queue_in_data_in_order_11 = holds_0_difference <= holds_0_sum_2[5:1];
+    wire out_queue_in_data_in_order_10 = occupied_difference <= occupied_sum;
+    wire out_queue_in_data_in_order_11 = occupied_difference <= occupied_sum_2[5:1];
     wire out_queue_in_data_both_6 = ~out_queue_in_data_in_order_7 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
-    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & holds_0_difference);
-    wire out_queue_in_data_in_order_12 = holds_0_sum <= holds_0_sum_2[5:1];
+    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & occupied_difference);
+    wire out_queue_in_data_in_order_12 = occupied_sum <= occupied_sum_2[5:1];
     wire out_queue_in_data_both_7 = ~out_queue_in_data_in_order_8 & ~out_queue_in_data_in_order_10 & out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & holds_0_sum);
+    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & occupied_sum);
     wire out_queue_in_data_both_8 = ~out_queue_in_data_in_order_9 & ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & holds_0_sum_2[5:1]);
+    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & occupied_sum_2[5:1]);
     wire one_column = in_left[8:3] == in_right[8:3];
     wire one_row = in_top[8:3] == in_bottom[8:3];
     wire [5:0] column_plus_1 = column + 6'd1;
@@ -7033,14 +7040,6 @@ module splat_splitter (
     wire [3:0] not_first_difference_choice_3 = |first_difference_moved[10:4] ? 4'd15 : first_difference_moved[3:0];
     wire [3:0] not_first_difference_choice_4 = first_difference_moved[11] ? 4'd0 : not_first_difference_choice_3;
     wire [3:0] not_first_difference_choice_5 = open ? not_first_difference_choice_2 : not_first_difference_choice_4;
-    wire holds_0_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= holds_0_difference);
-    wire holds_0_both_2 = holds_0_both & ({2'd2, top} <= holds_0_sum) & ({2'd2, top} <= holds_0_sum_2[5:1]);
-    wire holds_1_both = (holds_1_difference <= {2'd2, bottom}) & (holds_1_difference <= holds_0_difference);
-    wire holds_1_both_2 = holds_1_both & (holds_1_difference <= holds_0_sum) & (holds_1_difference <= holds_0_sum_2[5:1]);
-    wire holds_2_both = (holds_2_sum <= {2'd2, bottom}) & (holds_2_sum <= holds_0_difference);
-    wire holds_2_both_2 = holds_2_both & (holds_2_sum <= holds_0_sum) & (holds_2_sum <= holds_0_sum_2[5:1]);
-    wire holds_3_both = (holds_3_difference[5:1] <= {2'd2, bottom}) & (holds_3_difference[5:1] <= holds_0_difference);
-    wire holds_3_both_2 = holds_3_both & (holds_3_difference[5:1] <= holds_0_sum) & (holds_3_difference[5:1] <= holds_0_sum_2[5:1]);
 
     assign in_ready = ready;
     assign {
@@ -7051,8 +7050,8 @@ module splat_splitter (
         out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w491_tentative out_queue (
-        .clk(clk), .rst(rst), .in_valid(step), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w491 out_queue (
+        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
@@ -7061,7 +7060,6 @@ module splat_splitter (
             splat_cardinal_0, left, right, out_queue_in_data_either_3[2:0], out_queue_in_data_either_6[2:0],
             first_sum, last_sum[3:0], ~not_first_difference, last_difference[3:0], row, column
         }),
-        .in_kept(kept),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
@@ -7134,42 +7132,35 @@ module splat_splitter (
             first_difference_row_begins <= open ? first_difference_arrives : first_difference_row_begins_sum;
             last_difference_row_begins <= open ? last_difference_arrives : last_difference_row_begins_sum;
         end
-        holds_0 <= ~step | (splat_end | holds_0_both_2);
-        holds_1 <= ~step | (splat_end | holds_1_both_2);
-        holds_2 <= ~step | (splat_end | holds_2_both_2);
-        holds_3 <= ~step | (splat_end | holds_3_both_2);
-        stepped <= step;
-        opened <= ready;
-        was_first <= first;
+        first <= ready | (first & ~push);
     end
 
     wire _unused = &{
-        1'b0, first_difference_arrives_either_2[11], first_sum_arrives_either_2[11], holds_0_sum_2[0],
-        holds_3_difference[0], last_difference_arrives_either_2[11], last_sum[4],
-        last_sum_arrives_either_2[11], out_queue_in_data_either_3[4:3], out_queue_in_data_either_6[4:3]
+        1'b0, first_difference_arrives_either_2[11], first_sum_arrives_either_2[11],
+        last_difference_arrives_either_2[11], last_sum[4], last_sum_arrives_either_2[11],
+        occupied_difference_3[0], occupied_sum_2[0], out_queue_in_data_either_3[4:3],
+        out_queue_in_data_either_6[4:3]
     };
 endmodule
 
 // One item in a register, at half rate.
 // width = 491
-// pushes = tentative
-module stream_half_buffer_w491_tentative (
+module stream_half_buffer_w491 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [490:0] in_data, input wire in_kept,
+    input  wire in_valid, output wire in_ready, input wire [490:0] in_data,
     output wire out_valid, input wire out_ready, output wire [490:0] out_data
 );
     reg filled;
     reg [490:0] item;
 
-    wire full = filled & in_kept;
-    assign in_ready = ~full;
+    assign in_ready = ~filled;
 
-    assign out_valid = full;
+    assign out_valid = filled;
     assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) filled <= 1'd0;
-        else filled <= full ? ~out_ready : in_valid;
+        else filled <= filled ? ~out_ready : in_valid;
     end
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule

@@ -10,7 +10,7 @@ use pointcore_contract::splat::units::splitter::PORTS;
 
 use crate::units::ports::{StreamInPorts, StreamOutPorts, held};
 use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, Module, bit, cat, lit};
+use rtl::{Expr, Module, cat, lit};
 
 /// The tile's row or column that a pixel's lies in.
 fn tile_of(pixel: Expr) -> Expr {
@@ -259,24 +259,23 @@ pub fn module(config: &Config) -> Module {
     let input = PORTS.input.declare(&mut m, config);
     // One lane takes a copy every second cycle at most.
     let out = match config.rasterizers {
-        1 => PORTS.out.tentative_half(&mut m, config),
-        _ => PORTS.out.tentative_queue(&mut m, config),
+        1 => PORTS.out.half(&mut m, config),
+        _ => PORTS.out.queue(&mut m, config),
     };
-    let room = out.room();
 
     // A splat of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins: there is none, or its
     // current tile is the last.
     let busy = m.reg_reset("busy", 1, 0);
     let open = m.reg_reset("open", 1, 1);
-    let ready = m.wire("ready", room & open);
+    let ready = m.wire("ready", out.room & open);
     m.drive(input.ready, ready);
-    let step = m.wire("step", room & busy);
+    let step = m.wire("step", out.room & busy);
     let arriving = input.record;
     let splat = arriving.register(&mut m, config, "splat_", ready);
     let bounds = splat.bounds;
 
     // While it is open and none is there, registers may take what they will: so what they take does not wait for who offers it.
-    let moves = room;
+    let moves = out.room;
     m.next_if(busy, moves, open.mux(input.valid, *busy));
     let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [moves, *open]);
     let ends = arriving.end | walk.single;
@@ -285,24 +284,18 @@ pub fn module(config: &Config) -> Module {
     let steps = Steps { moves, turns: walk.turns, takes_arriving: *open, takes_row: walk.right_most };
     let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
     let [tops, bottoms] = diagonals.rows(&edges, config);
-    // Every pair on its own: a tree of larger and smaller ones would have to be waited for. Whether all hold is known in the next cycle.
-    let pairs: Vec<_> = tops.into_iter().flat_map(|top| bottoms.map(|bottom| bottom.ge(top))).collect();
-    let holds = pairs.chunks(4).enumerate().map(|(number, some)| {
-        let all = some.iter().copied().reduce(|all, one| all & one).expect("a chunk has a pair");
-        held(&mut m, &format!("holds_{number}"), bit(true), !step | (splat.end | all))
-    });
-    let kept = holds.reduce(|all, one| all & one).expect("there are pairs");
-    let kept = m.wire("kept", kept);
-    let [stepped, opened] =
-        [("stepped", step), ("opened", moves & open)].map(|(name, now)| held(&mut m, name, bit(true), now));
-    let was_first = m.reg("was_first", 1);
-    let first = m.wire("first", opened | (was_first & !(stepped & kept)));
-    m.next(was_first, first);
+    // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
+    let pairs = tops.into_iter().flat_map(|top| bottoms.map(|bottom| bottom.ge(top)));
+    let none_behind = pairs.reduce(|all, one| all & one);
+    let occupied = m.wire("occupied", splat.end | none_behind.expect("there are pairs"));
+    let push = m.wire("push", step & occupied);
+    let first = m.reg("first", 1);
+    m.next(first, (moves & open) | (first & !push));
     let top = extreme(tops, |top, other| top.ge(other)).trunc(LOCAL_BITS);
     let bottom = extreme(bottoms, |bottom, other| other.ge(bottom)).trunc(LOCAL_BITS);
     let copy = SplatCopy {
         end: splat.end,
-        first,
+        first: *first,
         footprint: splat.footprint,
         moving: splat.moving,
         attributes: splat.attributes,
@@ -314,6 +307,6 @@ pub fn module(config: &Config) -> Module {
             cat([walk.row, walk.column])
         },
     };
-    out.push(&mut m, config, step, copy, kept);
+    out.push(&mut m, config, push, copy);
     m
 }

@@ -5,34 +5,22 @@
 //! moves an item in every cycle, for twice the flip-flops and a choice before each. Here the register loads whenever it is empty: its
 //! enable, which reaches every bit of a wide item, waits for nothing.
 
-use super::{Pushes, item_width};
+use super::item_width;
 use rtl::Module;
 
 /// A buffer of one item.
 #[must_use]
 pub fn half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
-    buffer(layout, Pushes::ForGood)
-}
-
-/// A [`half_buffer`] of an item that is taken back unless `in_kept` is set in the cycle after it was pushed.
-#[must_use]
-pub fn tentative_half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
-    buffer(layout, Pushes::Tentative)
-}
-
-fn buffer(layout: &[(impl AsRef<str>, u32)], pushes: Pushes) -> Module {
     let mut m = Module::new("stream_half_buffer", "One item in a register, at half rate.");
     let width = item_width(layout);
     m.variant("width", width);
     let input = m.packed_in("in", layout);
     let filled = m.reg_reset("filled", 1, 0);
-    let taken_back = pushes.taken_back(&mut m);
-    let full = m.wire("full", filled & !taken_back);
     let item = m.reg("item", width);
-    m.drive(input.ready, !full);
-    m.next_if(item, !full, input.data);
+    m.drive(input.ready, !filled);
+    m.next_if(item, !filled, input.data);
 
-    let out_ready = m.packed_out("out", full, item, layout);
-    m.next(filled, full.mux(!out_ready, input.valid));
+    let out_ready = m.packed_out("out", filled, item, layout);
+    m.next(filled, filled.mux(!out_ready, input.valid));
     m
 }

@@ -4,22 +4,12 @@
 //! It is a queue of two: `out` shows its head, `in_ready` is set while it holds fewer than two, and an item pushed in
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
-use super::{Pushes, item_width};
-use rtl::{Module, bit};
+use super::item_width;
+use rtl::Module;
 
 /// A queue of two items in registers.
 #[must_use]
 pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
-    queue(layout, Pushes::ForGood)
-}
-
-/// A [`skid`] of items that are taken back unless `in_kept` is set in the cycle after they were pushed.
-#[must_use]
-pub fn tentative_skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
-    queue(layout, Pushes::Tentative)
-}
-
-fn queue(layout: &[(impl AsRef<str>, u32)], pushes: Pushes) -> Module {
     let mut m = Module::new("stream_skid", "Queue of two in registers.");
     let width = item_width(layout);
     m.variant("width", width);
@@ -28,33 +18,19 @@ fn queue(layout: &[(impl AsRef<str>, u32)], pushes: Pushes) -> Module {
 
     let head_filled = m.reg_reset("head_filled", 1, 0);
     let second_filled = m.reg_reset("second_filled", 1, 0);
-    let taken_back = pushes.taken_back(&mut m);
-    // Where the item went that is taken back.
-    let new_is_second = m.forward("new_is_second", 1);
-    let out_valid = m.wire("out_valid", head_filled & (!taken_back | new_is_second));
-    let second_valid = m.wire("second_valid", second_filled & !(taken_back & new_is_second));
     let head = m.reg("head", width);
     let second = m.reg("second", width);
 
-    let out_ready = m.packed_out("out", out_valid, head, layout);
-    m.drive(input.ready, !second_valid);
+    let out_ready = m.packed_out("out", head_filled, head, layout);
+    m.drive(input.ready, !second_filled);
 
     // The head is free or leaves: the second item, or else the one that comes in, takes its place.
-    let advance = m.wire("advance", !out_valid | out_ready);
-    let some_item = m.wire("some_item", second_valid | input.valid);
-    m.next(head_filled, advance.mux(some_item, out_valid));
-    m.next_if(head, advance, second_valid.mux(second, item));
+    let advance = m.wire("advance", !head_filled | out_ready);
+    let some_item = m.wire("some_item", second_filled | input.valid);
+    m.next(head_filled, advance.mux(some_item, head_filled));
+    m.next_if(head, advance, second_filled.mux(second, item));
     m.next(second_filled, !advance & some_item);
-    m.next_if(second, !second_valid, item);
-    let is_second = match pushes {
-        Pushes::ForGood => bit(false),
-        Pushes::Tentative => {
-            let pushed_second = m.reg("pushed_second", 1);
-            m.next(pushed_second, !advance);
-            pushed_second.expr()
-        }
-    };
-    m.drive(new_is_second, is_second);
-    m.assert("second_waits_behind_head", out_valid | !second_valid);
+    m.next_if(second, !second_filled, item);
+    m.assert("second_waits_behind_head", head_filled | !second_filled);
     m
 }

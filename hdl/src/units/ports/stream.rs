@@ -4,7 +4,7 @@ use pointcore_contract::Record;
 use pointcore_contract::unit::{In, Out, READY};
 use rtl::{Expr, Instance, Module, Stream, Wire};
 
-use crate::stream::{fifo_distributed, half_buffer, skid, tentative_half_buffer, tentative_skid};
+use crate::stream::{fifo_distributed, half_buffer, skid};
 use crate::units::documents::{self, prefix};
 use crate::units::passage::Passage;
 use crate::units::wires::{Bundle, Wired, layout};
@@ -149,11 +149,6 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
     /// As [`StreamOutPorts::queue`] at half rate, for records so wide that a register for one is enough to pay.
     fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R>;
 
-    /// As [`StreamOutPorts::queue`] and [`StreamOutPorts::half`], of records that are taken back unless it is said in the cycle after that they
-    /// stay.
-    fn tentative_queue(self, m: &mut Module, config: &R::Config) -> Tentative<R>;
-    fn tentative_half(self, m: &mut Module, config: &R::Config) -> Tentative<R>;
-
     /// As [`StreamOutPorts::queue`], of `depth` items in look-up tables.
     fn deep(self, m: &mut Module, config: &R::Config, depth: u32) -> QueueOut<R>;
 
@@ -185,14 +180,6 @@ impl<R: Record> StreamOutPorts<R> for Out<R> {
 
     fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
         QueueOut::new(self, m, config, half_buffer(&layout::<R>(config)))
-    }
-
-    fn tentative_queue(self, m: &mut Module, config: &R::Config) -> Tentative<R> {
-        Tentative(QueueOut::new(self, m, config, tentative_skid(&layout::<R>(config))))
-    }
-
-    fn tentative_half(self, m: &mut Module, config: &R::Config) -> Tentative<R> {
-        Tentative(QueueOut::new(self, m, config, tentative_half_buffer(&layout::<R>(config))))
     }
 
     fn deep(self, m: &mut Module, config: &R::Config, depth: u32) -> QueueOut<R> {
@@ -234,23 +221,6 @@ impl<R: Record> QueueOut<R> {
     /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
     pub fn push(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
         self.queue.push(m, config, valid, record);
-    }
-}
-
-/// A queue whose head is a stream that goes out, of records that may be taken back.
-pub(crate) struct Tentative<R>(QueueOut<R>);
-
-impl<R: Record> Tentative<R> {
-    /// A record can be pushed in this cycle.
-    pub const fn room(&self) -> Expr {
-        self.0.room
-    }
-
-    /// Pushes a record in cycles where `valid` is set, which implies room; in the cycle after, `kept` says whether it stays. It is set in
-    /// other cycles. To be called once.
-    pub fn push(self, m: &mut Module, config: &R::Config, valid: Expr, record: Wired<R>, kept: Expr) {
-        m.connect(self.0.queue.instance(), "in_kept", kept);
-        self.0.push(m, config, valid, record);
     }
 }
 
