@@ -57,10 +57,12 @@ impl Delays {
         }
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| need(id, schedule.latency));
         // What comes late goes to a register, not to a memory.
-        let is_late = |index: usize| plan.input_levels > 0 && matches!(plan.timing[index], Timing::Input);
-        for (_, taps) in needs.iter_mut().enumerate().filter(|(index, taps)| is_late(*index) && taps.last() > Some(&0))
-        {
-            taps.insert(1);
+        if plan.input_levels > 0 {
+            let inputs = needs.iter_mut().zip(&plan.timing).filter(|(_, timing)| matches!(timing, Timing::Input));
+            let held = inputs.map(|(taps, _)| taps).filter(|taps| taps.last() > Some(&0));
+            held.for_each(|taps| {
+                taps.insert(1);
+            });
         }
 
         let mut widths: BTreeMap<LineKey, Vec<u32>> = BTreeMap::new();

@@ -108,7 +108,7 @@ pub(crate) fn normalize<const N: usize>(pipe: &mut Pipe, format: Format, operand
 /// The encoded numbers in the input ports `a` and `b` on their way to a comparison by [`order`], which does not wait for subnormal ones to be
 /// [`flushed`]: two of them are told by [`is_zero`], and one lies on the same side of all others as zero.
 pub(crate) fn ordered_inputs(pipe: &mut Pipe, format: Format) -> [Expr; 2] {
-    // A format that flushes is what datapaths share operators of; they choose their operands in front.
+    // Datapaths share operators of formats that flush. The choice of operands in front of them takes as long as flushing would.
     pipe.takes(match format.subnormals {
         Subnormals::Keep => delay::LEVEL,
         Subnormals::Flush => delay::LEVEL + delay::reduction(format.exponent),

@@ -97,10 +97,10 @@ impl Scanner {
     /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle. While it would take one and none
     /// is there, registers may take what they will: what they take does not wait for who offers it.
     fn step(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr, ready: Expr) {
-        let (load, idle) = (ready & copy.valid, self.idle.expr());
+        let (arrives, idle) = (copy.valid, self.idle.expr());
         let row_done = m.wire("row_done", self.column.eq(self.row_end));
-        m.next_if(self.busy, advance, idle.mux(copy.valid, *self.busy));
-        let (arrives, copy) = (copy.valid, copy.record);
+        m.next_if(self.busy, advance, idle.mux(arrives, *self.busy));
+        let copy = copy.record;
         m.next_if(self.slot, ready, copy.slot);
         m.next_if(self.tile, ready, copy.tile);
         let diagonals = copy.diagonals;
@@ -118,7 +118,7 @@ impl Scanner {
         let loaded = has_samples(first) & (top.eq(bottom) | has_samples(second));
         let is_there = self.row.add_carry(lit(LOCAL_BITS, 2)).le(self.bottom.zext(LOCAL_BITS + 1));
         let followed = !is_there | has_samples(following);
-        m.assert("rows_have_samples", (!load | loaded) & (!self.busy | followed));
+        m.assert("rows_have_samples", (!(ready & arrives) | loaded) & (!self.busy | followed));
         let [first_ends, second_ends, following_ends] = [first, second, following].map(|pixels| samples(bits, pixels));
         let [next_begin, next_end] = self.next_ends;
         let next_column = row_done.mux(next_begin, self.column.add_lit(1));
