@@ -2,7 +2,9 @@
 
 use super::{Failure, Output, existing, merge, numbers, progress, write};
 use pointcore::configuration::{read_text, wrong};
-use pointcore_lab::mutation::{Campaign, Event, MutationError, MutationRecord, Score, SelfTest, Settings, Suite};
+use pointcore_lab::mutation::{
+    Campaign, Event, MutationError, MutationRecord, Scope, Score, SelfTest, Settings, Suite,
+};
 use pointcore_lab::{LabError, note};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -37,8 +39,11 @@ pub struct Arguments {
     /// Try only what the record says was missed, as with more time for proofs or after a change of the tests.
     #[arg(long, requires = "record")]
     again: bool,
+    /// Try only what the record has no score of, or one of other Verilog, as after a change of the hardware.
+    #[arg(long, requires = "record", conflicts_with = "again")]
+    changed: bool,
     /// Try nothing: write --tables and --merge from the record.
-    #[arg(long, requires = "record", conflicts_with_all = ["subjects", "again"])]
+    #[arg(long, requires = "record", conflicts_with_all = ["subjects", "again", "changed"])]
     recorded: bool,
 }
 
@@ -54,7 +59,11 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if let Some(path) = &arguments.merge {
         existing(path)?;
     }
-    let again = arguments.again.then(|| record.clone());
+    let scope = match (arguments.again, arguments.changed) {
+        (true, _) => Scope::Missed(record.clone()),
+        (_, true) => Scope::Changed(record.clone()),
+        _ => Scope::All,
+    };
     let mut scores = Vec::new();
     if !arguments.recorded {
         let keep = |score: Score| {
@@ -64,7 +73,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
             record.insert(score);
             arguments.record.as_ref().map_or(Ok(()), |path| write(path, &record.text()))
         };
-        try_all(arguments, again, keep)?;
+        try_all(arguments, scope, keep)?;
     }
     if let Some(path) = &arguments.merge {
         merge(path, record.figures())?;
@@ -85,20 +94,17 @@ fn line(score: &Score) -> String {
 
 fn try_all(
     arguments: &Arguments,
-    again: Option<MutationRecord>,
+    scope: Scope,
     mut keep: impl FnMut(Score) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let campaign = Campaign::new(Settings {
+    let settings = Settings {
         mutants: arguments.mutants,
         seed: arguments.seed,
         jobs: arguments.jobs.unwrap_or(processors),
         proof_seconds: arguments.proof_seconds,
-    })?;
-    let campaign = match again {
-        Some(record) => campaign.again(record),
-        None => campaign,
     };
+    let campaign = Campaign::new(settings, scope)?;
     let is_folder = |subject: &String| Path::new(subject).is_dir() || subject.contains(std::path::is_separator);
     let (packages, mut units): (Vec<_>, Vec<_>) = arguments.subjects.iter().cloned().partition(is_folder);
     for package in packages {

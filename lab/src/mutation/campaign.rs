@@ -131,13 +131,23 @@ impl Mutant<'_> {
     }
 }
 
+/// What a campaign tries.
+#[derive(Clone, Debug)]
+pub enum Scope {
+    /// All mutants.
+    All,
+    /// What a record says was missed, as with more time for proofs or after a change of the tests.
+    Missed(MutationRecord),
+    /// All mutants of what a record has no score of, or one of other Verilog.
+    Changed(MutationRecord),
+}
+
 /// The tools, and how they are used.
 #[derive(Clone, Debug)]
 pub struct Campaign {
     yosys: Tool,
     settings: Settings,
-    /// Only what these scores say was missed is tried.
-    again: Option<MutationRecord>,
+    scope: Scope,
 }
 
 impl Campaign {
@@ -145,14 +155,8 @@ impl Campaign {
     ///
     /// # Errors
     /// There is none, or none that is new enough.
-    pub fn new(settings: Settings) -> Result<Self, MutationError> {
-        Ok(Self { yosys: Tool::yosys()?, settings, again: None })
-    }
-
-    /// Tries again what a record says was missed, as with more time for proofs or after a change of the tests.
-    #[must_use]
-    pub fn again(self, record: MutationRecord) -> Self {
-        Self { again: Some(record), ..self }
+    pub fn new(settings: Settings, scope: Scope) -> Result<Self, MutationError> {
+        Ok(Self { yosys: Tool::yosys()?, settings, scope })
     }
 
     /// Tries mutants of `subjects` by `run`, which is given tests, a number and a limit.
@@ -164,8 +168,13 @@ impl Campaign {
         run: impl Fn(&Tests, u32, Duration) -> Result<Verdict, MutationError> + Sync,
         progress: &(dyn Fn(Event) + Sync),
     ) -> Result<Score, MutationError> {
-        let mutants = self.mutants(subjects, folder)?;
         let source = key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned();
+        if let Scope::Changed(record) = &self.scope
+            && let Some(score) = record.score(name).filter(|score| score.source == source)
+        {
+            return Ok(score.clone());
+        }
+        let mutants = self.mutants(subjects, folder)?;
         let (before, mutants) = self.asked(name, source, mutants)?;
         progress(Event::Listed(mutants.len()));
         let all = Tests::all(subjects.iter().flat_map(|subject| subject.tests.names.clone()));
@@ -227,7 +236,7 @@ impl Campaign {
     ) -> Result<(Score, Vec<Mutant<'a>>), MutationError> {
         let none =
             Score { name: name.to_owned(), mutants: mutants.len(), found: 0, equivalent: 0, missed: vec![], source };
-        let Some(record) = &self.again else { return Ok((none, mutants)) };
+        let Scope::Missed(record) = &self.scope else { return Ok((none, mutants)) };
         let of_these = |score: &&Score| score.source == none.source && score.mutants == none.mutants;
         let before = record.score(name).filter(of_these);
         mutants.retain(|mutant| before.is_some_and(|score| score.misses(&mutant.name())));

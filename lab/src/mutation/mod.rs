@@ -20,7 +20,7 @@ mod self_test;
 mod side_by_side;
 mod suite;
 
-pub use campaign::{Campaign, Event, Score, Settings};
+pub use campaign::{Campaign, Event, Scope, Score, Settings};
 pub use error::MutationError;
 pub use record::MutationRecord;
 pub use self_test::SelfTest;
