@@ -1,6 +1,7 @@
 //! Splitter: a splat's octagon, cut at tile boundaries into one copy a tile, row by row (thesis 5.5.1).
 //!
-//! A tile a cycle while the output has room: its copy is made if any of the octagon lies in the tile. An end record makes one end copy.
+//! A tile a cycle while the output has room, or every second cycle for one lane: its copy is made if any of the octagon lies in the tile. An
+//! end record makes one end copy.
 
 use crate::stream::{HalfBuffer, Skid};
 use crate::unit::Model;
@@ -111,11 +112,12 @@ fn intersection(first: u16, last: u16, tile: u16) -> (u16, u16) {
     (first.max(origin) - origin, last.min(origin + (SIZE - 1)) - origin)
 }
 
-/// What copies leave through: one lane takes a copy every second cycle at most, several take one a cycle.
+/// What tiles' copies leave through: one lane takes a copy every second cycle at most, several take one a cycle. A tile without one takes
+/// its place for a cycle, and leaves by itself.
 #[derive(Clone, Debug)]
 enum Exit {
-    ToOne(Box<HalfBuffer<SplatCopy>>),
-    ToSeveral(Skid<SplatCopy>),
+    ToOne(Box<HalfBuffer<Option<SplatCopy>>>),
+    ToSeveral(Skid<Option<SplatCopy>>),
 }
 
 impl Exit {
@@ -133,17 +135,22 @@ impl Exit {
         }
     }
 
-    fn shown(&self) -> Option<&SplatCopy> {
+    fn tile(&self) -> Option<&Option<SplatCopy>> {
         match self {
             Self::ToOne(buffer) => buffer.out(),
             Self::ToSeveral(buffer) => buffer.out(),
         }
     }
 
-    fn step(&mut self, copy: Option<SplatCopy>, is_taken: bool) {
+    fn shown(&self) -> Option<&SplatCopy> {
+        self.tile()?.as_ref()
+    }
+
+    fn step(&mut self, tile: Option<Option<SplatCopy>>, is_taken: bool) {
+        let leaves = is_taken || self.tile() == Some(&None);
         match self {
-            Self::ToOne(buffer) => buffer.step(copy, is_taken),
-            Self::ToSeveral(buffer) => buffer.step(copy, is_taken),
+            Self::ToOne(buffer) => buffer.step(tile, leaves),
+            Self::ToSeveral(buffer) => buffer.step(tile, leaves),
         }
     }
 }
@@ -189,13 +196,14 @@ impl Model for Splitter {
     }
 
     fn clock(&mut self, inputs: &In) {
-        let mut copy = None;
+        let mut tile = None;
         if self.out.has_room() {
-            copy = self.work.and_then(|work| work.copy(self.grid));
-            let next = self.work.map(|work| Work { first: work.first && copy.is_none(), ..work.next() });
+            tile = self.work.map(|work| work.copy(self.grid));
+            let made_none = tile.is_none_or(|copy| copy.is_none());
+            let next = self.work.map(|work| Work { first: work.first && made_none, ..work.next() });
             self.work = if self.in_ready() { inputs.input.map(Work::new) } else { next };
         }
-        self.out.step(copy, inputs.out_ready);
+        self.out.step(tile, inputs.out_ready);
     }
 }
 

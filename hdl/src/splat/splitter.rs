@@ -1,6 +1,7 @@
 //! Splits a splat's octagon at tile boundaries into copies, one per tile, row by row (thesis 5.5.1);
 //! golden twin: `pointcore_golden::splat::splitter`.
 
+use pointcore_contract::record;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{
@@ -8,9 +9,11 @@ use pointcore_contract::splat::records::{
 };
 use pointcore_contract::splat::units::splitter::PORTS;
 
-use crate::units::ports::{StreamInPorts, StreamOutPorts, held};
-use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, Module, cat, lit};
+use crate::stream::{half_buffer, skid};
+use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, held};
+use crate::units::queue::Pushed;
+use crate::units::wires::{Bundle, Wires, layout};
+use rtl::{Expr, Module, bit, cat, lit};
 
 /// The tile's row or column that a pixel's lies in.
 fn tile_of(pixel: Expr) -> Expr {
@@ -252,50 +255,100 @@ impl Walk {
     }
 }
 
+/// What leaves for a tile. That the octagon only seems to touch one is found out as it comes here, too late to hold it back: it leaves by
+/// itself.
+#[record(config: Config)]
+struct TileCopy {
+    /// There is a copy, say all of these.
+    #[bits(4)]
+    made: u8,
+    /// The copy; `first` says that the tile is.
+    copy: SplatCopy,
+}
+
+/// The way out.
+struct Exit {
+    tiles: Pushed<TileCopy>,
+    /// One shows.
+    shows: Expr,
+    /// It leaves, if it does.
+    leaves: Expr,
+}
+
+impl Exit {
+    fn new(m: &mut Module, config: &Config) -> Self {
+        // One lane takes a copy every second cycle at most.
+        let buffer = match config.rasterizers {
+            1 => half_buffer(&layout::<TileCopy>(config)),
+            _ => skid(&layout::<TileCopy>(config)),
+        };
+        let (tiles, tile): (_, Flow<TileCopy<Wires>>) = Pushed::place(m, config, "out_queue", buffer);
+        let Flow { valid: shows, record: TileCopy { made, copy }, ready } = tile;
+        let made = m.wire("made", made.all());
+        let none_made = m.reg("none_made", 1);
+        let first = copy.first | none_made;
+        let taken = PORTS.out.drive(m, config, shows & made, SplatCopy { first, ..copy });
+        let leaves = taken | !made;
+        m.drive(ready, leaves);
+        m.next_if(none_made, shows & leaves, first & !made);
+        Self { tiles, shows, leaves }
+    }
+
+    /// Whether there will be room, where a tile comes in this cycle if there is.
+    fn next_room(&self, config: &Config, room: Expr, comes: Expr) -> Expr {
+        match config.rasterizers {
+            1 => room.mux(!comes, self.leaves),
+            _ => (room & !comes) | (!self.shows | self.leaves),
+        }
+    }
+}
+
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
     let mut m = Module::new("splat_splitter", "Splits a splat's octagon into one copy per tile.");
     let input = PORTS.input.declare(&mut m, config);
-    // One lane takes a copy every second cycle at most.
-    let out = match config.rasterizers {
-        1 => PORTS.out.half(&mut m, config),
-        _ => PORTS.out.queue(&mut m, config),
-    };
+    let exit = Exit::new(&mut m, config);
 
-    // A splat of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins: there is none, or its
-    // current tile is the last.
+    // A splat of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins: there is room, and no splat,
+    // or its current tile is the last. Each of those who ask for that has a register of its own.
+    let room = m.reg_reset("room", 1, 1);
     let busy = m.reg_reset("busy", 1, 0);
     let open = m.reg_reset("open", 1, 1);
-    let ready = m.wire("ready", out.room & open);
+    let ready = m.reg_reset("ready", 1, 1);
+    let closed = m.reg_reset("closed", 1, 0);
     m.drive(input.ready, ready);
-    let step = m.wire("step", out.room & busy);
     let arriving = input.record;
-    let splat = arriving.register(&mut m, config, "splat_", ready);
+    let splat = arriving.register(&mut m, config, "splat_", !closed);
     let bounds = splat.bounds;
 
     // While it is open and none is there, registers may take what they will: so what they take does not wait for who offers it.
-    let moves = out.room;
+    let moves = room.expr();
     m.next_if(busy, moves, open.mux(input.valid, *busy));
     let walk = Walk::new(&mut m, config, [&arriving.bounds, &bounds], [moves, *open]);
     let ends = arriving.end | walk.single;
-    m.next_if(open, moves, open.mux(!input.valid | ends, walk.reaches_last));
+    let opens = open.mux(!input.valid | ends, walk.reaches_last);
+    m.next_if(open, moves, opens);
+    let next_room = m.wire("next_room", exit.next_room(config, *room, *busy));
+    let next_ready = m.wire("next_ready", next_room & moves.mux(opens, *open));
+    m.next(room, next_room);
+    m.next(ready, next_ready);
+    m.next(closed, !next_ready);
+    m.assert("room_is_that_of_the_way_out", room.eq(exit.tiles.room));
+    m.assert("ready_while_open_and_room", ready.eq(room & open) & (ready ^ closed));
+
     let edges = walk.edges;
     let steps = Steps { moves, turns: walk.turns, takes_arriving: *open, takes_row: walk.right_most };
     let diagonals = Diagonals::new(&mut m, config, &arriving, &steps);
     let [tops, bottoms] = diagonals.rows(&edges, config);
     // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
-    let pairs = tops.into_iter().flat_map(|top| bottoms.map(|bottom| bottom.ge(top)));
-    let none_behind = pairs.reduce(|all, one| all & one);
-    let occupied = m.wire("occupied", splat.end | none_behind.expect("there are pairs"));
-    let push = m.wire("push", step & occupied);
-    let first = m.reg("first", 1);
-    m.next(first, (moves & open) | (first & !push));
+    let none_behind = tops.map(|top| splat.end | bottoms.iter().fold(bit(true), |all, bottom| all & bottom.ge(top)));
+    let first = held(&mut m, "first", moves, open);
     let top = extreme(tops, |top, other| top.ge(other)).trunc(LOCAL_BITS);
     let bottom = extreme(bottoms, |bottom, other| other.ge(bottom)).trunc(LOCAL_BITS);
     let copy = SplatCopy {
         end: splat.end,
-        first: *first,
+        first,
         footprint: splat.footprint,
         moving: splat.moving,
         attributes: splat.attributes,
@@ -307,6 +360,6 @@ pub fn module(config: &Config) -> Module {
             cat([walk.row, walk.column])
         },
     };
-    out.push(&mut m, config, push, copy);
+    exit.tiles.push(&mut m, config, room & busy, TileCopy { made: cat(none_behind), copy });
     m
 }

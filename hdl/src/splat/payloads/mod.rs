@@ -39,11 +39,13 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
     };
     // Where words come in several beats, a copy is completed in a register of its own, which takes the next when it is empty: whether
     // the rasterizer is ready says nothing to the block RAMs, a way across the device.
-    let completes = (words.count > 1).then(|| m.reg_reset("complete_valid", 1, 0));
+    // It says by one register what it holds, and by another, which has few loads, that it holds nothing.
+    let completes =
+        (words.count > 1).then(|| [m.reg_reset("complete_valid", 1, 0), m.reg_reset("complete_room", 1, 1)]);
     let out_valid = m.reg_reset("out_holds", 1, 0);
     let out_taken = m.forward("out_taken", 1);
     let out_room = m.wire("out_room", !out_valid | out_taken);
-    let has_room = completes.map_or(out_room, |complete| m.wire("complete_room", !complete));
+    let has_room = completes.map_or(out_room, |[_, room]| room.expr());
     let leaves = m.wire("leaves", (valid & is_read) & has_room);
     let advance = m.wire("advance", !valid | leaves);
     m.drive(next.ready, advance);
@@ -59,9 +61,12 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
     let PlacedCopy { bounds, diagonals, tile, splat, slot } = current;
     let copy = CompleteCopy { footprint, moving, attributes, bounds, diagonals, tile, slot };
     let (copy, shown) = match completes {
-        Some(complete) => {
-            let copy = copy.register(m, config, "complete_", has_room);
-            m.next(complete, leaves | (complete & !out_room));
+        Some([complete, room]) => {
+            let copy = copy.register(m, config, "complete_", !complete);
+            let stays = leaves | (complete & !out_room);
+            m.next(complete, stays);
+            m.next(room, !stays);
+            m.assert("complete_or_room", complete ^ room);
             (copy, complete.expr())
         }
         None => (copy, leaves),

@@ -16,7 +16,7 @@ pub(super) struct Scanner {
     pub busy: Reg,
     /// A copy can be taken: there is none, or its current pixel is the last.
     idle: Reg,
-    /// None can: for those who stand far from where `idle` is wanted most.
+    /// None can: for those who stand far from where `idle` is wanted most, as who offers copies.
     walks: Reg,
     /// The current pixel is the copy's last.
     pub last: Reg,
@@ -52,6 +52,19 @@ fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, ro
     [first.lt(left).mux(left, first), last.lt(right).mux(last, right)]
 }
 
+/// Whether a row has one pixel, of one that has any: one of what limits it from the left is not before one of what limits it from the
+/// right. Each pair is compared by itself, for the ends come late.
+fn has_one(sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> Expr {
+    let wide = |place: Expr| place.zext(DIAGONAL_BITS + 1);
+    // What a place on a diagonal takes away is added to the other.
+    let [zero, below, above] = [lit(LOCAL_BITS, 0), row, !row];
+    let firsts = [(sides[0], zero), (diagonals.first_sum, below), (diagonals.first_difference, above)];
+    let lasts = [(sides[1], zero), (diagonals.last_sum, below), (diagonals.last_difference, above)];
+    let pairs = firsts.into_iter().flat_map(|first| lasts.map(|last| (first, last)));
+    let meets = |((first, less), (last, last_less))| (wide(first) + wide(last_less)).ge(wide(last) + wide(less));
+    pairs.map(meets).fold(bit(false), |any, one| any | one)
+}
+
 /// First and last column of samples in these pixels.
 fn samples(sample_bits: u32, pixels: [Expr; 2]) -> [Expr; 2] {
     let [first, last] = pixels.map(|pixel| pixel.trunc(LOCAL_BITS - sample_bits));
@@ -82,8 +95,9 @@ impl Scanner {
     /// Takes copies in cycles in which what evaluates samples advances; returns when it would take one, and when it does.
     pub fn take(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr) -> [Expr; 2] {
         let ready = m.wire("take", advance & self.idle);
-        m.drive(copy.ready, ready);
-        let load = m.wire("load", (advance & !self.walks) & copy.valid);
+        let is_ready = m.wire("is_ready", advance & !self.walks);
+        m.drive(copy.ready, is_ready);
+        let load = m.wire("load", is_ready & copy.valid);
         self.step(m, config, copy, advance, ready);
         [ready, load]
     }
@@ -130,10 +144,13 @@ impl Scanner {
         for (end, (second, following)) in self.next_ends.iter().zip(second_ends.into_iter().zip(following_ends)) {
             m.next_if(*end, new_row, idle.mux(second, following));
         }
-        let ends_at = |row: Expr, column: Expr, bottom: Expr, end: Expr| cat([row, column]).eq(cat([bottom, end]));
-        let single = ends_at(top, first_ends[0], bottom, first_ends[1]);
+        // A pixel with several columns has several samples in each.
+        let single = match bits {
+            0 => top.eq(bottom) & has_one([left, right], &diagonals, top),
+            _ => bit(false),
+        };
         let next_row_end = row_done.mux(next_end, self.row_end);
-        let reaches_last = ends_at(next_row, next_column, *self.bottom, next_row_end);
+        let reaches_last = cat([next_row, next_column]).eq(cat([*self.bottom, next_row_end]));
         m.next_if(self.last, advance, idle.mux(single, reaches_last));
         let is_idle = idle.mux(!arrives | single, reaches_last);
         m.next_if(self.idle, advance, is_idle);

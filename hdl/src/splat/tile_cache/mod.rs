@@ -103,6 +103,8 @@ fn follow_job(
     let start = m.wire("job_starts", placement.start | placement.vacate);
     m.next(state.looking, start);
     m.next(state.changed, change);
+    m.next(state.keeps, change & state.goes);
+    m.next(state.keeps_none, !(change & state.goes));
     m.next_if(state.moving, state.changed | done, state.changed);
     m.next_if(state.slot, start, directory.next_slot());
     m.next_if(state.comes, start, placement.start);
@@ -134,21 +136,22 @@ fn stored_masks(
     let shown = cat([any_shown, shown]);
     m.next_if(state.mask, state.looking, shown);
 
-    let goes = m.wire("mask_is_kept", state.changed & state.goes);
-    let kept = goes.repeat(TILE_PIXELS) & written;
-    let address = clears.mux(*state.cleared, goes.mux(word(*state.goes_tile), looked_at));
-    let writes = (goes | clears) | sends;
+    m.assert(
+        "masks_are_kept_of_tiles_that_go",
+        state.keeps.eq(state.changed & state.goes) & (state.keeps ^ state.keeps_none),
+    );
+    let kept = state.keeps.repeat(TILE_PIXELS) & written;
+    let address = clears.mux(*state.cleared, state.keeps_none.mux(looked_at, word(*state.goes_tile)));
+    let writes = (!state.keeps_none | clears) | sends;
     m.write(masks, writes, address, kept);
-    m.write(any, writes, address, goes & written.any());
-    StoredMasks { shown, goes, looked_at }
+    m.write(any, writes, address, state.keeps & written.any());
+    StoredMasks { shown, looked_at }
 }
 
 /// What passes between the memory of masks and the frame that leaves.
 struct StoredMasks {
     shown: Expr,
-    /// A mask is written for a slot.
-    goes: Expr,
-    /// The word of that tile.
+    /// The word of the tile that is looked at.
     looked_at: Expr,
 }
 
@@ -231,7 +234,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
         is_whole: pending.whole.any(),
         switches: placement.switch,
         reads_taken: (head.takes & head.arrives) | (placement.misses | placement.vacate),
-        writes_taken: stored.goes,
+        writes_taken: !state.keeps_none,
         mask: stored.shown,
         is_pending: pending.is_shown,
         is_held: (directory.holds(is_place) | head_holds) | (goes & is_place(goes_tile)),
@@ -253,7 +256,7 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
         mask: leaves.sends.mux(*leaving.mask, *state.mask).trunc(TILE_PIXELS),
         // A tile that leaves has pixels, so its mask is not looked at.
         any_asked: leaves.sends | state.mask.msb(),
-        drains: state.changed & state.goes,
+        drains: state.keeps.expr(),
         dirty: masks.dirty,
         closes: leaves.closes,
     };

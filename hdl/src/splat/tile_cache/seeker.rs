@@ -9,6 +9,8 @@ use rtl::{Expr, Module, Reg, bit, cat, lit};
 pub(super) struct Seeker {
     name: &'static str,
     rest: Reg,
+    /// The rows of these that have a pixel.
+    rows: Reg,
     row: Reg,
     left: Reg,
     /// Pixels are left.
@@ -49,10 +51,11 @@ impl Seeker {
     /// Declares the registers.
     pub fn new(m: &mut Module, name: &'static str) -> Self {
         let rest = m.reg_reset(&format!("{name}_rest"), TILE_PIXELS, 0);
+        let rows = m.reg_reset(&format!("{name}_rows"), TILE_PIXELS / TILE_SIZE, 0);
         let row = m.reg(&format!("{name}_row"), LOCAL_BITS);
         let left = m.reg_reset(&format!("{name}_left"), TILE_SIZE, 0);
         let any = m.reg_reset(&format!("any_{name}"), 1, 0);
-        Self { name, rest, row, left, any }
+        Self { name, rest, rows, row, left, any }
     }
 
     /// No pixel is left.
@@ -93,17 +96,25 @@ impl Seeker {
     /// `taken` of its row.
     pub fn update(&self, m: &mut Module, begins: Expr, (mask, any_pixel): (Expr, Expr), taken: Expr) {
         let name = self.name;
-        let row = |place: u32| self.rest.bits(TILE_SIZE * place + TILE_SIZE - 1, TILE_SIZE * place);
-        let rows = TILE_PIXELS / TILE_SIZE;
-        let has_pixels: Vec<_> = (0..rows).map(|place| row(place).any()).collect();
-        let next: Vec<_> = lowest(&has_pixels);
-        let next_left = pick(TILE_SIZE, next.iter().copied().zip((0..rows).map(row)));
+        let rows_of = |mask: Expr| {
+            let row = move |place: u32| mask.bits(TILE_SIZE * place + TILE_SIZE - 1, TILE_SIZE * place);
+            (0..TILE_PIXELS / TILE_SIZE).map(row)
+        };
+        let having_pixels = |mask: Expr| cat(rows_of(mask).map(Expr::any).rev());
+        m.assert(&format!("{name}_rows_have_pixels"), self.rows.eq(having_pixels(*self.rest)));
+        let next = lowest(&(0..self.rows.width()).map(|place| self.rows.bit(place)).collect::<Vec<_>>());
+        let next_left = pick(TILE_SIZE, next.iter().copied().zip(rows_of(*self.rest)));
         let left = self.left & !taken;
         let ends = m.wire(&format!("{name}_row_ends"), left.is_zero());
         let chosen = cat(next.iter().rev().map(|bit| bit.repeat(TILE_SIZE)));
         m.next(self.left, ends.mux(next_left, left));
         m.next_if(self.row, ends, number(LOCAL_BITS, next.iter().copied()));
         m.next_if(self.rest, begins | ends, begins.mux(mask, self.rest & !chosen));
-        m.next(self.any, !ends | (self.rest.any() | (begins & any_pixel)));
+        m.next_if(
+            self.rows,
+            begins | ends,
+            begins.mux(having_pixels(mask), self.rows & !cat(next.iter().copied().rev())),
+        );
+        m.next(self.any, !ends | (self.rows.any() | (begins & any_pixel)));
     }
 }

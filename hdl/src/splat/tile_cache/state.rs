@@ -24,6 +24,9 @@ pub(super) struct State {
     /// The banks in which the slot is told.
     pub unchanged: Reg,
     pub changed: Reg,
+    /// As `changed`, of a slot whose tile goes; and the inverse, for those who ask whether the masks' memory is written.
+    pub keeps: Reg,
+    pub keeps_none: Reg,
     pub moving: Reg,
     pub slot: Reg,
     /// A tile comes, and which.
@@ -64,6 +67,8 @@ impl State {
             looking: m.reg_reset("looking", 1, 0),
             unchanged: m.reg_reset("unchanged", SLOT_BANKS, 0),
             changed: m.reg_reset("changed", 1, 0),
+            keeps: m.reg_reset("keeps", 1, 0),
+            keeps_none: m.reg_reset("keeps_none", 1, 1),
             moving: m.reg_reset("moving", 1, 0),
             slot: m.reg("slot", config.slot_bits()),
             comes: m.reg("comes", 1),
