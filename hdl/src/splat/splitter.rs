@@ -9,6 +9,7 @@ use pointcore_contract::splat::records::{
 };
 use pointcore_contract::splat::units::splitter::PORTS;
 
+use super::parts::extreme::extreme;
 use crate::stream::{half_buffer, skid};
 use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, held};
 use crate::units::queue::Pushed;
@@ -18,19 +19,6 @@ use rtl::{Expr, Module, bit, cat, lit};
 /// The tile's row or column that a pixel's lies in.
 fn tile_of(pixel: Expr) -> Expr {
     pixel.bits(pixel.width() - 1, LOCAL_BITS)
-}
-
-/// Of the values, the first that `reaches` all others: every pair is compared at the same time.
-fn extreme<const N: usize>(values: [Expr; N], reaches: fn(Expr, Expr) -> Expr) -> Expr {
-    let beats = |place: usize, other: usize| {
-        if other < place { !reaches(values[other], values[place]) } else { reaches(values[place], values[other]) }
-    };
-    let chosen = (0..N).map(|place| {
-        let is_extreme =
-            (0..N).filter(|other| *other != place).map(|other| beats(place, other)).reduce(|all, one| all & one);
-        is_extreme.expect("there are others").repeat(values[place].width()) & values[place]
-    });
-    chosen.reduce(|all, one| all | one).expect("there are values")
 }
 
 /// What a tile has of the first sum or difference, from 0 to one past its last one; `place` counts from the tile's first pixel and has
@@ -344,8 +332,8 @@ pub fn module(config: &Config) -> Module {
     // Every pair on its own: a tree of larger and smaller ones would have to be waited for.
     let none_behind = tops.map(|top| splat.end | bottoms.iter().fold(bit(true), |all, bottom| all & bottom.ge(top)));
     let first = held(&mut m, "first", moves, open);
-    let top = extreme(tops, |top, other| top.ge(other)).trunc(LOCAL_BITS);
-    let bottom = extreme(bottoms, |bottom, other| other.ge(bottom)).trunc(LOCAL_BITS);
+    let top = extreme(tops, |place, other| tops[place].ge(tops[other])).trunc(LOCAL_BITS);
+    let bottom = extreme(bottoms, |place, other| bottoms[other].ge(bottoms[place])).trunc(LOCAL_BITS);
     let copy = SplatCopy {
         end: splat.end,
         first,

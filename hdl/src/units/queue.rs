@@ -60,9 +60,13 @@ impl<B: Bundle> Head<B> {
     }
 
     /// As [`Head::leaves`], but the next record is taken a cycle later, as behind a half buffer it can only come: what takes it then
-    /// waits for nothing.
+    /// waits for nothing. It takes by a register of its own, which moves all of the record; `valid` has few loads.
     pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: impl Into<Expr>) {
-        m.drive(self.takes, !self.valid);
-        m.next(self.valid, self.valid.mux(!leaves.into(), self.arrives));
+        let empty = m.reg_reset("head_empty", 1, 1);
+        m.drive(self.takes, empty);
+        let holds = self.valid.mux(!leaves.into(), self.arrives);
+        m.next(self.valid, holds);
+        m.next(empty, !holds);
+        m.assert("head_empty_or_valid", self.valid ^ empty);
     }
 }

@@ -8,13 +8,15 @@ use std::ops::RangeInclusive;
 
 const SIZE: u16 = TILE_SIZE as u16;
 
-/// Columns of samples in a row of a copy, between the edges of its octagon; a pixel has so many.
+/// Columns of samples in a row of a copy, between the edges of its octagon; a pixel has so many. None where a limit lies before the row's
+/// first pixel.
 #[must_use]
 pub fn columns(per_pixel: u32, bounds: &TileRectangle, diagonals: &TileDiagonals, row: u16) -> RangeInclusive<u16> {
     let samples = per_pixel as u16;
     let below = SIZE - 1 - row;
     let first = diagonals.first_sum.saturating_sub(row).max(diagonals.first_difference.saturating_sub(below));
-    let last = diagonals.last_sum.saturating_sub(row).min(diagonals.last_difference.saturating_sub(below));
+    let lasts = diagonals.last_sum.checked_sub(row).zip(diagonals.last_difference.checked_sub(below));
+    let Some(last) = lasts.map(|(sum, difference)| sum.min(difference)) else { return RangeInclusive::new(1, 0) };
     bounds.left.max(first * samples)..=bounds.right.min(last * samples + (samples - 1))
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod collected;
 pub(crate) mod division;
+pub(crate) mod extreme;
 pub(crate) mod place;
 pub(crate) mod share;
 pub(crate) mod turns;

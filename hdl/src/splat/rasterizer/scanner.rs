@@ -1,6 +1,7 @@
 //! Walks the samples of a copy's octagon, row by row.
 
 use crate::compiler::Manifest;
+use crate::splat::parts::extreme::extreme;
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
@@ -36,33 +37,41 @@ pub(super) fn copies(evaluation: &Manifest) -> u32 {
     (evaluation.tokens() + 1).next_power_of_two()
 }
 
-/// First and last column of pixels in a row, of those of a rectangle.
-fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
-    let less = |limit: Expr, by: Expr| {
-        let by = by.zext(DIAGONAL_BITS);
-        limit.lt(by).mux(lit(DIAGONAL_BITS, 0), limit - by)
-    };
-    let along = |sum: Expr, difference: Expr| (less(sum, row), less(difference, !row));
-    let (sum, difference) = along(diagonals.first_sum, diagonals.first_difference);
-    let first = sum.lt(difference).mux(difference, sum);
-    let (sum, difference) = along(diagonals.last_sum, diagonals.last_difference);
-    let last = sum.lt(difference).mux(sum, difference);
-    let [left, right] = sides.map(|column| column.bits(LOCAL_BITS - 1, sample_bits));
-    let [left, right] = [left, right].map(|pixel| pixel.zext(DIAGONAL_BITS));
-    [first.lt(left).mux(left, first), last.lt(right).mux(last, right)]
+/// What limits a row from one side: a place, less another.
+type Limit = [Expr; 2];
+
+/// Whether a limit is not before another: what is taken away from a place is added to the other.
+fn reaches([place, less]: Limit, [other, other_less]: Limit) -> Expr {
+    let wide = |place: Expr| place.zext(DIAGONAL_BITS + 1);
+    (wide(place) + wide(other_less)).ge(wide(other) + wide(less))
 }
 
-/// Whether a row has one pixel, of one that has any: one of what limits it from the left is not before one of what limits it from the
-/// right. Each pair is compared by itself, for the ends come late.
-fn has_one(sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> Expr {
-    let wide = |place: Expr| place.zext(DIAGONAL_BITS + 1);
-    // What a place on a diagonal takes away is added to the other.
-    let [zero, below, above] = [lit(LOCAL_BITS, 0), row, !row];
-    let firsts = [(sides[0], zero), (diagonals.first_sum, below), (diagonals.first_difference, above)];
-    let lasts = [(sides[1], zero), (diagonals.last_sum, below), (diagonals.last_difference, above)];
-    let pairs = firsts.into_iter().flat_map(|first| lasts.map(|last| (first, last)));
-    let meets = |((first, less), (last, last_less))| (wide(first) + wide(last_less)).ge(wide(last) + wide(less));
-    pairs.map(meets).fold(bit(false), |any, one| any | one)
+/// What limits a row of pixels from the left and from the right: the sides of a rectangle, sums and differences.
+fn limits(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [[Limit; 3]; 2] {
+    let [left, right] = sides.map(|column| [column.bits(LOCAL_BITS - 1, sample_bits), lit(LOCAL_BITS, 0)]);
+    let TileDiagonals { first_sum, last_sum, first_difference, last_difference } = *diagonals;
+    [[left, [first_sum, row], [first_difference, !row]], [right, [last_sum, row], [last_difference, !row]]]
+}
+
+/// First and last column of a row that has pixels. No limit is chosen before all are compared.
+fn ends([firsts, lasts]: [[Limit; 3]; 2]) -> [Expr; 2] {
+    let column = |[place, less]: Limit| place.zext(DIAGONAL_BITS) - less.zext(DIAGONAL_BITS);
+    [
+        extreme(firsts.map(column), |place, other| reaches(firsts[place], firsts[other])),
+        extreme(lasts.map(column), |place, other| reaches(lasts[other], lasts[place])),
+    ]
+}
+
+/// Whether a row has pixels: no limit from the left is behind one from the right.
+fn has_some([firsts, lasts]: [[Limit; 3]; 2]) -> Expr {
+    let pairs = firsts.into_iter().flat_map(|first| lasts.map(|last| reaches(last, first)));
+    pairs.fold(bit(true), |all, one| all & one)
+}
+
+/// Whether a row that has pixels has one: a limit from the left is not before one from the right.
+fn has_one([firsts, lasts]: [[Limit; 3]; 2]) -> Expr {
+    let pairs = firsts.into_iter().flat_map(|first| lasts.map(|last| reaches(first, last)));
+    pairs.fold(bit(false), |any, one| any | one)
 }
 
 /// First and last column of samples in these pixels.
@@ -124,16 +133,16 @@ impl Scanner {
         let own_diagonals = diagonals.register(m, config, "", ready);
 
         let bits = self.sample_bits;
-        let first = ends(bits, [left, right], &diagonals, top);
-        let second = ends(bits, [left, right], &diagonals, top.add_lit(1));
-        let following = ends(bits, own_sides, &own_diagonals, self.row.add_lit(2));
+        let first = limits(bits, [left, right], &diagonals, top);
+        let second = limits(bits, [left, right], &diagonals, top.add_lit(1));
+        let following = limits(bits, own_sides, &own_diagonals, self.row.add_lit(2));
         // The splitter sends no other rows.
-        let has_samples = |[first, last]: [Expr; 2]| first.le(last);
-        let loaded = has_samples(first) & (top.eq(bottom) | has_samples(second));
+        let loaded = has_some(first) & (top.eq(bottom) | has_some(second));
         let is_there = self.row.add_carry(lit(LOCAL_BITS, 2)).le(self.bottom.zext(LOCAL_BITS + 1));
-        let followed = !is_there | has_samples(following);
+        let followed = !is_there | has_some(following);
         m.assert("rows_have_samples", (!(ready & arrives) | loaded) & (!self.busy | followed));
-        let [first_ends, second_ends, following_ends] = [first, second, following].map(|pixels| samples(bits, pixels));
+        let [first_ends, second_ends, following_ends] =
+            [first, second, following].map(|limits| samples(bits, ends(limits)));
         let [next_begin, next_end] = self.next_ends;
         let next_column = row_done.mux(next_begin, self.column.add_lit(1));
         let next_row = row_done.mux(self.row.add_lit(1), self.row);
@@ -146,7 +155,7 @@ impl Scanner {
         }
         // A pixel with several columns has several samples in each.
         let single = match bits {
-            0 => top.eq(bottom) & has_one([left, right], &diagonals, top),
+            0 => top.eq(bottom) & has_one(first),
             _ => bit(false),
         };
         let next_row_end = row_done.mux(next_end, self.row_end);

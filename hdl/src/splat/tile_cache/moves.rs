@@ -80,10 +80,12 @@ fn take(
     let row = run.pixel.bits(PIXEL_BITS - 1, LOCAL_BITS);
     let vacated = state.leaving.is_empty() | state.leaving.is_behind(row);
     let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
-    let fills = m.wire("fills", state.filling & !is_in(*state.taken_banks, *fill_pixel));
-    // While none waits the registers may take what they will: their enables do not wait for who has data.
+    let is_taken = is_in(*state.taken_banks, *fill_pixel);
+    let fills = m.wire("fills", state.filling & !is_taken);
+    // While none waits the registers may take what they will: their enables do not wait for who has data. And who has data does not
+    // wait for their enables.
     let is_free = m.wire("fill_is_free", !state.filling | fills);
-    let may_fill = m.wire("may_fill", (state.moving & vacated) & is_free);
+    let may_fill = m.wire("may_fill", (state.moving & vacated) & (state.fills_none | !is_taken));
     let takes = m.wire("takes_data", asked.valid & run.leaves.mux(pixel.room, may_fill));
     m.drive(data.ready, takes);
     let beat = m.wire("beat", takes & data.valid);
@@ -93,7 +95,10 @@ fn take(
     m.next_if(state.came, beat, ends.mux(lit(LOCAL_BITS, 0), next.trunc(LOCAL_BITS)));
 
     let fill = beat & !run.leaves;
-    m.next(state.filling, fill | (state.filling & !fills));
+    let waits = fill | (state.filling & !fills);
+    m.next(state.filling, waits);
+    m.next(state.fills_none, !waits);
+    m.assert("fills_or_none", state.filling ^ state.fills_none);
     m.next_if(fill_pixel, is_free, place);
     let value = data.record.register(m, config, "fill_", is_free);
     let filled = SlotPixel { slot: *state.slot, pixel: *fill_pixel };

@@ -45,8 +45,9 @@ pub(super) struct State {
     pub awaited_leaving: Reg,
     /// How many pixels of the oldest have come.
     pub came: Reg,
-    /// A pixel that came waits for its bank.
+    /// A pixel that came waits for its bank; and the inverse, for who takes the next.
     pub filling: Reg,
+    pub fills_none: Reg,
     /// Banks that samples may write in this cycle.
     pub taken_banks: Reg,
     /// Pixels to be read from the slot, and how many were and are not written yet.
@@ -83,6 +84,7 @@ impl State {
             awaited_leaving: m.reg_reset("awaited_leaving", address_width(depths.asked + 1), 0),
             came: m.reg_reset("came", LOCAL_BITS, 0),
             filling: m.reg_reset("filling", 1, 0),
+            fills_none: m.reg_reset("fills_none", 1, 1),
             taken_banks: m.reg_reset("taken_banks", SLOT_BANKS, 0),
             leaving: Seeker::new(m, "leaving"),
             owed: m.reg_reset("owed", address_width(depths.written + 1), 0),
