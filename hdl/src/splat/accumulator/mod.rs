@@ -65,9 +65,9 @@ impl Stage {
     }
 }
 
-/// A bit for each stage that holds an inside sample of the head's pixel, known without comparing in the cycle in which the head
-/// issues or waits: compared when the sample came in, shifted as the stages move.
-fn collisions(m: &mut Module, head: &Head<Queued<Wires>>, stages: &[Stage]) -> Expr {
+/// Whether a stage holds an inside sample of the head's pixel, known without comparing in the cycle in which the head issues or waits: a bit
+/// for each stage is compared when the sample comes in, and shifted as the stages move.
+fn on_the_way(m: &mut Module, head: &Head<Queued<Wires>>, stages: &[Stage]) -> Expr {
     let pixel = |place: Place<Wires>| cat([place.slot, place.pixel]);
     let (place, arriving) = (head.record.place, pixel(head.arriving.place));
     let inside = head.valid & place.inside;
@@ -78,8 +78,12 @@ fn collisions(m: &mut Module, head: &Head<Queued<Wires>>, stages: &[Stage]) -> E
     let collide = cat(collide.iter().rev().copied());
     let collisions = m.reg("collisions", stages.len() as u32);
     // A head that stays sees the others move on, and none follow.
-    m.next(collisions, head.takes.mux(collide, collisions << 1));
-    collisions.expr()
+    let moved = collisions << 1;
+    m.next(collisions, head.takes.mux(collide, moved));
+    // Of both before one is chosen: that the head goes is known late.
+    let on_the_way = m.reg("on_the_way", 1);
+    m.next(on_the_way, head.takes.mux(collide.any(), moved.any()));
+    on_the_way.expr()
 }
 
 /// What becomes of the sample at the head.
@@ -96,8 +100,7 @@ struct Issue {
 
 impl Issue {
     fn new(m: &mut Module, head: &Head<Queued<Wires>>, slot_ready: Expr, stages: &[Stage]) -> Self {
-        let on_the_way = collisions(m, head, stages).any();
-        let on_the_way = m.wire("on_the_way", on_the_way);
+        let on_the_way = on_the_way(m, head, stages);
         // Chosen a cycle before it is asked for: what the head's going depends on reaches as far as the queue's memories.
         let arrived = m.reg("arrived", 1);
         let place = head.record.place;
