@@ -102,6 +102,8 @@ fn follow_job(
 
     let start = m.wire("job_starts", placement.start | placement.vacate);
     m.next(state.looking, start);
+    m.next(state.looks_not, !start);
+    m.assert("it_looks_or_not", state.looking ^ state.looks_not);
     m.next(state.changed, change);
     m.next(state.keeps, change & state.goes);
     m.next(state.keeps_none, !(change & state.goes));
@@ -134,7 +136,7 @@ fn stored_masks(
     let [any_shown, shown] =
         [(any, "any_is_stored"), (masks, "stored_mask")].map(|(memory, name)| m.read(memory, name, read));
     let shown = cat([any_shown, shown]);
-    m.next_if(state.mask, state.looking, shown);
+    m.next_if(state.mask, !state.looks_not, shown);
 
     m.assert(
         "masks_are_kept_of_tiles_that_go",

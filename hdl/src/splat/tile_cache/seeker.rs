@@ -5,11 +5,10 @@ use pointcore_contract::splat::records::{LOCAL_BITS, RUN_BITS};
 
 use rtl::{Expr, Module, Reg, bit, cat, lit};
 
-/// A mask of which pixels are found: the rows that were not begun, and what is left of the one that was.
+/// A mask of which pixels are found: its rows that have pixels and were not begun, and what is left of the one that was.
 pub(super) struct Seeker {
     name: &'static str,
-    rest: Reg,
-    /// The rows of these that have a pixel.
+    mask: Reg,
     rows: Reg,
     row: Reg,
     left: Reg,
@@ -50,12 +49,12 @@ fn number(width: u32, bits: impl IntoIterator<Item = Expr>) -> Expr {
 impl Seeker {
     /// Declares the registers.
     pub fn new(m: &mut Module, name: &'static str) -> Self {
-        let rest = m.reg_reset(&format!("{name}_rest"), TILE_PIXELS, 0);
+        let mask = m.reg(&format!("{name}_mask"), TILE_PIXELS);
         let rows = m.reg_reset(&format!("{name}_rows"), TILE_PIXELS / TILE_SIZE, 0);
         let row = m.reg(&format!("{name}_row"), LOCAL_BITS);
         let left = m.reg_reset(&format!("{name}_left"), TILE_SIZE, 0);
         let any = m.reg_reset(&format!("any_{name}"), 1, 0);
-        Self { name, rest, rows, row, left, any }
+        Self { name, mask, rows, row, left, any }
     }
 
     /// No pixel is left.
@@ -101,20 +100,17 @@ impl Seeker {
             (0..TILE_PIXELS / TILE_SIZE).map(row)
         };
         let having_pixels = |mask: Expr| cat(rows_of(mask).map(Expr::any).rev());
-        m.assert(&format!("{name}_rows_have_pixels"), self.rows.eq(having_pixels(*self.rest)));
         let next = lowest(&(0..self.rows.width()).map(|place| self.rows.bit(place)).collect::<Vec<_>>());
-        let next_left = pick(TILE_SIZE, next.iter().copied().zip(rows_of(*self.rest)));
+        let next_left = pick(TILE_SIZE, next.iter().copied().zip(rows_of(*self.mask)));
         let left = self.left & !taken;
         let ends = m.wire(&format!("{name}_row_ends"), left.is_zero());
-        let chosen = cat(next.iter().rev().map(|bit| bit.repeat(TILE_SIZE)));
         m.next(self.left, ends.mux(next_left, left));
         m.next_if(self.row, ends, number(LOCAL_BITS, next.iter().copied()));
-        m.next_if(self.rest, begins | ends, begins.mux(mask, self.rest & !chosen));
-        m.next_if(
-            self.rows,
-            begins | ends,
-            begins.mux(having_pixels(mask), self.rows & !cat(next.iter().copied().rev())),
-        );
+        // The mask stays as it is: which of its rows are left is enough, and does not move as many flip-flops.
+        m.next_if(self.mask, begins, mask);
+        let rows = self.rows & !cat(next.iter().copied().rev());
+        m.next_if(self.rows, begins | ends, begins.mux(having_pixels(mask), rows));
+        m.assert(&format!("{name}_rows_have_pixels"), (self.rows & !having_pixels(*self.mask)).is_zero());
         m.next(self.any, !ends | (self.rows.any() | (begins & any_pixel)));
     }
 }

@@ -21,6 +21,8 @@ pub(super) struct State {
     /// The job of a slot that loses its tile, step by step: its next tile's mask is read, the slot is told, it shows what it held, and
     /// pixels move.
     pub looking: Reg,
+    /// The inverse, for the mask.
+    pub looks_not: Reg,
     /// The banks in which the slot is told.
     pub unchanged: Reg,
     pub changed: Reg,
@@ -66,6 +68,7 @@ impl State {
             surface: m.reg_reset("surface", SURFACE_BITS, 0),
             mask: m.reg("mask", TILE_PIXELS + 1),
             looking: m.reg_reset("looking", 1, 0),
+            looks_not: m.reg_reset("looks_not", 1, 1),
             unchanged: m.reg_reset("unchanged", SLOT_BANKS, 0),
             changed: m.reg_reset("changed", 1, 0),
             keeps: m.reg_reset("keeps", 1, 0),
