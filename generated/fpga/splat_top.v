@@ -1873,7 +1873,7 @@ module splat_accumulator (
     reg [15:0] head_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
-    reg arrived;
+    reg on_the_way, arrived;
     reg [31:0] bank_0_was_written, bank_0_was_dirty;
     reg [3:0] bank_0_was_near;
     reg [31:0] bank_1_was_written, bank_1_was_dirty;
@@ -2034,7 +2034,6 @@ module splat_accumulator (
     wire sample_ends_in_1 = inside_8 & pixel_8[0];
     wire writes_1 = sample_ends_in_1 ? changes : (fill_valid & fill_pixel[0]);
     wire slot_wait = may_issue_inside & ~arrived;
-    wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid & ~(slot_wait | hazard);
     wire head_takes = ~head_valid | issue;
@@ -2071,6 +2070,7 @@ module splat_accumulator (
         inside_2 & (places_out_data[8:0] == {slot_2, pixel_2}),
         inside_1 & (places_out_data[8:0] == {slot_1, pixel_1}), collisions_both
     };
+    wire [7:0] collisions_shifted_by_1 = collisions << 1;
     wire [7:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [7:0] arrived_shifted_2 = slot_ready >> head_slot;
     wire changes_0 = change_valid & change_banks[0] & ~sample_reads_0;
@@ -2321,7 +2321,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? collisions_bits : (collisions << 1);
+        collisions <= head_takes ? collisions_bits : collisions_shifted_by_1;
+        on_the_way <= head_takes ? |collisions_bits : |collisions_shifted_by_1;
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
         bank_0_was_near <= bank_0_near;
         bank_1_was_near <= bank_1_near;
@@ -3681,48 +3682,110 @@ module splat_rasterizer (
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [295:0] shared_out_data;
 
-    wire take = evaluation_in_ready & idle;
-    wire load = evaluation_in_ready & ~walks & in_valid;
-    wire [3:0] column_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
-    wire [3:0] row_end_bits = {1'd0, ~in_top};
-    wire [3:0] column_choice_2 = (in_first_difference < row_end_bits) ? 4'd0 : (in_first_difference - row_end_bits);
-    wire [3:0] column_choice_3 = (column_choice < column_choice_2) ? column_choice_2 : column_choice;
-    wire [3:0] column_choice_4 = (column_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : column_choice_3;
-    wire [3:0] row_end_choice = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
-    wire [3:0] row_end_choice_2 = (in_last_difference < row_end_bits) ? 4'd0 : (in_last_difference - row_end_bits);
-    wire [3:0] row_end_choice_3 = (row_end_choice < row_end_choice_2) ? row_end_choice : row_end_choice_2;
-    wire [3:0] row_end_choice_4 = (row_end_choice_3 < {1'd0, in_right}) ? row_end_choice_3 : {1'd0, in_right};
-    wire is_last_same = {in_top, column_choice_4[2:0]} == {in_bottom, row_end_choice_4[2:0]};
+    wire is_ready = evaluation_in_ready & ~walks;
+    wire load = is_ready & in_valid;
+    wire in_top_is_in_bottom = in_top == in_bottom;
+    wire [4:0] in_left_plus_in_top = {2'd0, in_left} + {2'd0, in_top};
+    wire is_last_either = ({2'd0, in_right} <= {2'd0, in_left}) | ({1'd0, in_last_sum} <= in_left_plus_in_top);
+    wire [4:0] is_last_bits = {2'd0, ~in_top};
+    wire [4:0] in_left_plus_is_last_bits = {2'd0, in_left} + is_last_bits;
+    wire is_last_either_2 = is_last_either | ({1'd0, in_last_difference} <= in_left_plus_is_last_bits);
+    wire [4:0] in_right_plus_in_top = {2'd0, in_right} + {2'd0, in_top};
+    wire is_last_either_3 = is_last_either_2 | (in_right_plus_in_top <= {1'd0, in_first_sum});
+    wire [4:0] in_last_sum_plus_in_top = {1'd0, in_last_sum} + {2'd0, in_top};
+    wire [4:0] in_first_sum_plus_in_top = {1'd0, in_first_sum} + {2'd0, in_top};
+    wire is_last_either_4 = is_last_either_3 | (in_last_sum_plus_in_top <= in_first_sum_plus_in_top);
+    wire [4:0] in_last_difference_plus_in_top = {1'd0, in_last_difference} + {2'd0, in_top};
+    wire [4:0] in_first_sum_plus_is_last_bits = {1'd0, in_first_sum} + is_last_bits;
+    wire is_last_either_5 = is_last_either_4 | (in_last_difference_plus_in_top <= in_first_sum_plus_is_last_bits);
+    wire [4:0] in_right_plus_is_last_bits = {2'd0, in_right} + is_last_bits;
+    wire is_last_either_6 = is_last_either_5 | (in_right_plus_is_last_bits <= {1'd0, in_first_difference});
+    wire [4:0] in_last_sum_plus_is_last_bits = {1'd0, in_last_sum} + is_last_bits;
+    wire [4:0] column_sum = {1'd0, in_first_difference} + {2'd0, in_top};
+    wire [4:0] is_last_sum = {1'd0, in_last_difference} + is_last_bits;
+    wire [4:0] is_last_sum_2 = {1'd0, in_first_difference} + is_last_bits;
+    wire is_last_either_7 = is_last_either_6 | (in_last_sum_plus_is_last_bits <= column_sum) | (is_last_sum <= is_last_sum_2);
+    wire is_last_both = in_top_is_in_bottom & is_last_either_7;
     wire row_done = column == row_end;
     wire [2:0] row_choice = row_done ? (row + 3'd1) : row;
-    wire [2:0] column_choice_5 = row_done ? next_begin : (column + 3'd1);
-    wire is_last_same_2 = {row_choice, column_choice_5} == {bottom, row_done ? next_end : row_end};
-    wire idle_choice = idle ? (~in_valid | is_last_same) : is_last_same_2;
+    wire [2:0] column_choice = row_done ? next_begin : (column + 3'd1);
+    wire is_last_same = {row_choice, column_choice} == {bottom, row_done ? next_end : row_end};
+    wire idle_choice = idle ? (~in_valid | is_last_both) : is_last_same;
+    wire take = evaluation_in_ready & idle;
+    wire column_in_order = {1'd0, in_first_sum} <= in_left_plus_in_top;
+    wire column_in_order_2 = {1'd0, in_first_difference} <= in_left_plus_is_last_bits;
+    wire column_in_order_3 = column_sum <= in_first_sum_plus_is_last_bits;
+    wire [3:0] column_both = {4{~column_in_order & column_in_order_3}} & (in_first_sum - {1'd0, in_top});
+    wire [3:0] column_either = ({4{column_in_order & column_in_order_2}} & {1'd0, in_left}) | column_both;
+    wire [3:0] column_bits = {1'd0, ~in_top};
+    wire [3:0] column_both_2 = {4{~column_in_order_2 & ~column_in_order_3}} & (in_first_difference - column_bits);
+    wire [3:0] column_either_or_column_both_2 = column_either | column_both_2;
     wire row_end_enable_both = evaluation_in_ready & (idle | row_done);
+    wire row_end_in_order = in_right_plus_in_top <= {1'd0, in_last_sum};
+    wire row_end_in_order_2 = in_right_plus_is_last_bits <= {1'd0, in_last_difference};
+    wire row_end_in_order_3 = in_last_sum_plus_is_last_bits <= in_last_difference_plus_in_top;
+    wire [3:0] row_end_both = {4{~row_end_in_order & row_end_in_order_3}} & (in_last_sum - {1'd0, in_top});
+    wire [3:0] row_end_either = ({4{row_end_in_order & row_end_in_order_2}} & {1'd0, in_right}) | row_end_both;
+    wire [3:0] row_end_both_2 = {4{~row_end_in_order_2 & ~row_end_in_order_3}} & (in_last_difference - column_bits);
+    wire [3:0] row_end_either_2 = row_end_either | row_end_both_2;
     wire [2:0] in_top_plus_1 = in_top + 3'd1;
-    wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
-    wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
-    wire [3:0] next_begin_bits_2 = {1'd0, ~in_top_plus_1};
-    wire [3:0] next_begin_choice_2 = (in_first_difference < next_begin_bits_2) ? 4'd0 : (in_first_difference - next_begin_bits_2);
-    wire [3:0] next_begin_choice_3 = (next_begin_choice < next_begin_choice_2) ? next_begin_choice_2 : next_begin_choice;
-    wire [3:0] next_begin_choice_4 = (next_begin_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : next_begin_choice_3;
+    wire [4:0] next_begin_bits = {2'd0, in_top_plus_1};
+    wire [4:0] in_left_plus_next_begin_bits = {2'd0, in_left} + next_begin_bits;
+    wire next_begin_in_order = {1'd0, in_first_sum} <= in_left_plus_next_begin_bits;
+    wire [2:0] not_in_top_plus_1 = ~in_top_plus_1;
+    wire [4:0] next_begin_bits_2 = {2'd0, not_in_top_plus_1};
+    wire [4:0] in_left_plus_next_begin_bits_2 = {2'd0, in_left} + next_begin_bits_2;
+    wire next_begin_in_order_2 = {1'd0, in_first_difference} <= in_left_plus_next_begin_bits_2;
+    wire [3:0] next_begin_both = {4{next_begin_in_order & next_begin_in_order_2}} & {1'd0, in_left};
+    wire [4:0] next_begin_sum = {1'd0, in_first_difference} + next_begin_bits;
+    wire [4:0] next_begin_sum_2 = {1'd0, in_first_sum} + next_begin_bits_2;
+    wire next_begin_in_order_3 = next_begin_sum <= next_begin_sum_2;
+    wire [3:0] next_begin_bits_3 = {1'd0, in_top_plus_1};
+    wire [3:0] next_begin_both_2 = {4{~next_begin_in_order & next_begin_in_order_3}} & (in_first_sum - next_begin_bits_3);
+    wire [3:0] next_begin_bits_4 = {1'd0, not_in_top_plus_1};
+    wire [3:0] next_begin_both_3 = {4{~next_begin_in_order_2 & ~next_begin_in_order_3}} & (in_first_difference - next_begin_bits_4);
+    wire [3:0] next_begin_either = next_begin_both | next_begin_both_2 | next_begin_both_3;
     wire [2:0] row_plus_2 = row + 3'd2;
-    wire [3:0] next_begin_bits_3 = {1'd0, row_plus_2};
-    wire [3:0] next_begin_choice_5 = (first_sum < next_begin_bits_3) ? 4'd0 : (first_sum - next_begin_bits_3);
-    wire [3:0] next_begin_bits_4 = {1'd0, ~row_plus_2};
-    wire [3:0] next_begin_choice_6 = (first_difference < next_begin_bits_4) ? 4'd0 : (first_difference - next_begin_bits_4);
-    wire [3:0] next_begin_choice_7 = (next_begin_choice_5 < next_begin_choice_6) ? next_begin_choice_6 : next_begin_choice_5;
-    wire [3:0] next_begin_choice_8 = (next_begin_choice_7 < {1'd0, left}) ? {1'd0, left} : next_begin_choice_7;
-    wire [3:0] next_end_choice = (in_last_sum < next_begin_bits) ? 4'd0 : (in_last_sum - next_begin_bits);
-    wire [3:0] next_end_choice_2 = (in_last_difference < next_begin_bits_2) ? 4'd0 : (in_last_difference - next_begin_bits_2);
-    wire [3:0] next_end_choice_3 = (next_end_choice < next_end_choice_2) ? next_end_choice : next_end_choice_2;
-    wire [3:0] next_end_choice_4 = (next_end_choice_3 < {1'd0, in_right}) ? next_end_choice_3 : {1'd0, in_right};
-    wire [3:0] next_end_choice_5 = (last_sum < next_begin_bits_3) ? 4'd0 : (last_sum - next_begin_bits_3);
-    wire [3:0] next_end_choice_6 = (last_difference < next_begin_bits_4) ? 4'd0 : (last_difference - next_begin_bits_4);
-    wire [3:0] next_end_choice_7 = (next_end_choice_5 < next_end_choice_6) ? next_end_choice_5 : next_end_choice_6;
-    wire [3:0] next_end_choice_8 = (next_end_choice_7 < {1'd0, right}) ? next_end_choice_7 : {1'd0, right};
+    wire [4:0] next_begin_bits_5 = {2'd0, row_plus_2};
+    wire [4:0] left_plus_next_begin_bits_5 = {2'd0, left} + next_begin_bits_5;
+    wire next_begin_in_order_4 = {1'd0, first_sum} <= left_plus_next_begin_bits_5;
+    wire [2:0] not_row_plus_2 = ~row_plus_2;
+    wire [4:0] next_begin_bits_6 = {2'd0, not_row_plus_2};
+    wire [4:0] left_plus_next_begin_bits_6 = {2'd0, left} + next_begin_bits_6;
+    wire next_begin_in_order_5 = {1'd0, first_difference} <= left_plus_next_begin_bits_6;
+    wire [3:0] next_begin_both_4 = {4{next_begin_in_order_4 & next_begin_in_order_5}} & {1'd0, left};
+    wire [4:0] next_begin_sum_3 = {1'd0, first_difference} + next_begin_bits_5;
+    wire [4:0] next_begin_sum_4 = {1'd0, first_sum} + next_begin_bits_6;
+    wire next_begin_in_order_6 = next_begin_sum_3 <= next_begin_sum_4;
+    wire [3:0] next_begin_bits_7 = {1'd0, row_plus_2};
+    wire [3:0] next_begin_both_5 = {4{~next_begin_in_order_4 & next_begin_in_order_6}} & (first_sum - next_begin_bits_7);
+    wire [3:0] next_begin_bits_8 = {1'd0, not_row_plus_2};
+    wire [3:0] next_begin_both_6 = {4{~next_begin_in_order_5 & ~next_begin_in_order_6}} & (first_difference - next_begin_bits_8);
+    wire [3:0] next_begin_either_2 = next_begin_both_4 | next_begin_both_5 | next_begin_both_6;
+    wire [4:0] in_right_plus_next_begin_bits = {2'd0, in_right} + next_begin_bits;
+    wire next_end_in_order = in_right_plus_next_begin_bits <= {1'd0, in_last_sum};
+    wire [4:0] next_end_sum = {2'd0, in_right} + next_begin_bits_2;
+    wire next_end_in_order_2 = next_end_sum <= {1'd0, in_last_difference};
+    wire [4:0] next_end_sum_2 = {1'd0, in_last_sum} + next_begin_bits_2;
+    wire [4:0] next_end_sum_3 = {1'd0, in_last_difference} + next_begin_bits;
+    wire next_end_in_order_3 = next_end_sum_2 <= next_end_sum_3;
+    wire [3:0] next_end_both = {4{~next_end_in_order & next_end_in_order_3}} & (in_last_sum - next_begin_bits_3);
+    wire [3:0] next_end_either = ({4{next_end_in_order & next_end_in_order_2}} & {1'd0, in_right}) | next_end_both;
+    wire [3:0] next_end_both_2 = {4{~next_end_in_order_2 & ~next_end_in_order_3}} & (in_last_difference - next_begin_bits_4);
+    wire [3:0] next_end_either_2 = next_end_either | next_end_both_2;
+    wire [4:0] right_plus_next_begin_bits_5 = {2'd0, right} + next_begin_bits_5;
+    wire next_end_in_order_4 = right_plus_next_begin_bits_5 <= {1'd0, last_sum};
+    wire [4:0] right_plus_next_begin_bits_6 = {2'd0, right} + next_begin_bits_6;
+    wire next_end_in_order_5 = right_plus_next_begin_bits_6 <= {1'd0, last_difference};
+    wire [4:0] next_end_sum_4 = {1'd0, last_sum} + next_begin_bits_6;
+    wire [4:0] next_end_sum_5 = {1'd0, last_difference} + next_begin_bits_5;
+    wire next_end_in_order_6 = next_end_sum_4 <= next_end_sum_5;
+    wire [3:0] next_end_both_3 = {4{~next_end_in_order_4 & next_end_in_order_6}} & (last_sum - next_begin_bits_7);
+    wire [3:0] next_end_either_3 = ({4{next_end_in_order_4 & next_end_in_order_5}} & {1'd0, right}) | next_end_both_3;
+    wire [3:0] next_end_both_4 = {4{~next_end_in_order_5 & ~next_end_in_order_6}} & (last_difference - next_begin_bits_8);
+    wire [3:0] next_end_either_4 = next_end_either_3 | next_end_both_4;
 
-    assign in_ready = take;
+    assign in_ready = is_ready;
     assign {
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
@@ -3772,8 +3835,8 @@ module splat_rasterizer (
     end
     always @(posedge clk) begin
         if (evaluation_in_ready) begin
-            is_last <= idle ? is_last_same : is_last_same_2;
-            column <= idle ? column_choice_4[2:0] : column_choice_5;
+            is_last <= idle ? is_last_both : is_last_same;
+            column <= idle ? column_either_or_column_both_2[2:0] : column_choice;
             row <= idle ? in_top : row_choice;
         end
         if (take) begin
@@ -3802,29 +3865,50 @@ module splat_rasterizer (
             sight_disc <= in_sight_disc;
         end
         if (row_end_enable_both) begin
-            row_end <= idle ? row_end_choice_4[2:0] : next_end;
-            next_begin <= idle ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
-            next_end <= idle ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
+            row_end <= idle ? row_end_either_2[2:0] : next_end;
+            next_begin <= idle ? next_begin_either[2:0] : next_begin_either_2[2:0];
+            next_end <= idle ? next_end_either_2[2:0] : next_end_either_4[2:0];
         end
     end
 
     wire _unused = &{
-        1'b0, column_choice_4[3], next_begin_choice_4[3], next_begin_choice_8[3], next_end_choice_4[3],
-        next_end_choice_8[3], row_end_choice_4[3], shared_in_ready, shared_out_valid
+        1'b0, column_either_or_column_both_2[3], next_begin_either[3], next_begin_either_2[3],
+        next_end_either_2[3], next_end_either_4[3], row_end_either_2[3], shared_in_ready, shared_out_valid
     };
 
 `ifdef RTL_ASSERT
-    wire check_either = (in_top == in_bottom) | (next_begin_choice_4 <= next_end_choice_4);
-    wire check_either_2 = ~(take & in_valid) | ((column_choice_4 <= row_end_choice_4) & check_either);
-    wire check_either_3 = ~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | (next_begin_choice_8 <= next_end_choice_8);
+    wire in_left_up_to_in_right = {2'd0, in_left} <= {2'd0, in_right};
+    wire check_both = in_left_up_to_in_right & (in_left_plus_in_top <= {1'd0, in_last_sum});
+    wire check_both_2 = check_both & (in_left_plus_is_last_bits <= {1'd0, in_last_difference});
+    wire check_both_3 = check_both_2 & ({1'd0, in_first_sum} <= in_right_plus_in_top) & (in_first_sum_plus_in_top <= in_last_sum_plus_in_top);
+    wire check_both_4 = check_both_3 & (in_first_sum_plus_is_last_bits <= in_last_difference_plus_in_top);
+    wire check_both_5 = check_both_4 & ({1'd0, in_first_difference} <= in_right_plus_is_last_bits);
+    wire check_both_6 = check_both_5 & (column_sum <= in_last_sum_plus_is_last_bits) & (is_last_sum_2 <= is_last_sum);
+    wire check_both_7 = in_left_up_to_in_right & (in_left_plus_next_begin_bits <= {1'd0, in_last_sum});
+    wire check_both_8 = check_both_7 & (in_left_plus_next_begin_bits_2 <= {1'd0, in_last_difference});
+    wire check_both_9 = check_both_8 & ({1'd0, in_first_sum} <= in_right_plus_next_begin_bits);
+    wire check_in_order = ({1'd0, in_first_sum} + next_begin_bits) <= ({1'd0, in_last_sum} + next_begin_bits);
+    wire check_both_10 = check_both_9 & check_in_order & (next_begin_sum_2 <= next_end_sum_3);
+    wire check_both_11 = check_both_10 & ({1'd0, in_first_difference} <= next_end_sum) & (next_begin_sum <= next_end_sum_2);
+    wire check_in_order_2 = ({1'd0, in_first_difference} + next_begin_bits_2) <= ({1'd0, in_last_difference} + next_begin_bits_2);
+    wire check_both_12 = check_both_6 & (in_top_is_in_bottom | (check_both_11 & check_in_order_2));
+    wire check_both_13 = ({2'd0, left} <= {2'd0, right}) & (left_plus_next_begin_bits_5 <= {1'd0, last_sum});
+    wire check_both_14 = check_both_13 & (left_plus_next_begin_bits_6 <= {1'd0, last_difference});
+    wire check_both_15 = check_both_14 & ({1'd0, first_sum} <= right_plus_next_begin_bits_5);
+    wire check_in_order_3 = ({1'd0, first_sum} + next_begin_bits_5) <= ({1'd0, last_sum} + next_begin_bits_5);
+    wire check_both_16 = check_both_15 & check_in_order_3 & (next_begin_sum_4 <= next_end_sum_5);
+    wire check_both_17 = check_both_16 & ({1'd0, first_difference} <= right_plus_next_begin_bits_6);
+    wire check_in_order_4 = ({1'd0, first_difference} + next_begin_bits_6) <= ({1'd0, last_difference} + next_begin_bits_6);
+    wire check_both_18 = check_both_17 & (next_begin_sum_3 <= next_end_sum_4) & check_in_order_4;
+    wire check_either = ~busy | (~(({1'd0, row} + 4'd2) <= {1'd0, bottom}) | check_both_18);
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        rows_have_samples: assert (check_either_2 & (~busy | check_either_3));
+        rows_have_samples: assert ((~(take & in_valid) | check_both_12) & check_either);
         walks_unless_idle: assert (walks ^ idle);
         shared_has_room: assert (~load | shared_in_ready);
 `else
-        if (!(check_either_2 & (~busy | check_either_3))) begin
+        if (!((~(take & in_valid) | check_both_12) & check_either)) begin
             $display("assertion failed: rows_have_samples in %m"); $stop;
         end
         if (!(walks ^ idle)) begin $display("assertion failed: walks_unless_idle in %m"); $stop; end
@@ -5372,15 +5456,16 @@ module splat_tile_cache (
     reg [12:0] cleared;
     reg surface;
     reg [64:0] mask;
-    reg looking;
+    reg looking, looks_not;
     reg [1:0] unchanged;
-    reg changed, moving;
+    reg changed, keeps, keeps_none, moving;
     reg [2:0] slot;
     reg comes;
     reg [11:0] tile;
     reg goes;
     reg [11:0] goes_tile;
-    reg [63:0] wanted_rest;
+    reg [63:0] wanted_mask;
+    reg [7:0] wanted_rows;
     reg [2:0] wanted_row;
     reg [7:0] wanted_left;
     reg any_wanted, wanted_surface;
@@ -5388,9 +5473,10 @@ module splat_tile_cache (
     reg wanted_leaves;
     reg [5:0] awaited_fills, awaited_leaving;
     reg [2:0] came;
-    reg filling;
+    reg filling, fills_none;
     reg [1:0] taken_banks;
-    reg [63:0] leaving_rest;
+    reg [63:0] leaving_mask;
+    reg [7:0] leaving_rows;
     reg [2:0] leaving_row;
     reg [7:0] leaving_left;
     reg any_leaving;
@@ -5433,7 +5519,7 @@ module splat_tile_cache (
     reg [11:0] looked_at;
     reg look_reads, look_is_shown, look_is_seen;
     reg [64:0] seen_mask;
-    reg seen_stays, missed;
+    reg seen_stays, missed, head_empty;
     wire any_is_stored;
     wire [63:0] stored_mask;
     reg arrived;
@@ -5487,21 +5573,18 @@ module splat_tile_cache (
     wire asked_runs_out_leaves = asked_runs_out_data[22];
     wire [5:0] asked_runs_out_pixel = asked_runs_out_data[9:4];
     wire may_fill_either = ~any_leaving | (|leaving_left & (asked_runs_out_pixel[5:3] < leaving_row));
-    wire [1:0] fills_shifted = taken_banks >> fill_pixel[0];
-    wire fills = filling & ~fills_shifted[0];
-    wire fill_is_free = ~filling | fills;
-    wire may_fill = moving & may_fill_either & fill_is_free;
+    wire [1:0] may_fill_shifted = taken_banks >> fill_pixel[0];
+    wire may_fill = moving & may_fill_either & (fills_none | ~may_fill_shifted[0]);
     wire takes_data = asked_runs_out_valid & (asked_runs_out_leaves ? pixel_queue_in_ready : may_fill);
-    wire mask_is_kept = changed & goes;
     wire word_is_cleared_both = clearing_second & ~(changed | look_is_seen | (arrived | forgets));
     wire word_is_cleared = clearing | word_is_cleared_both;
     wire may_leave = seen_mask[64] & ~seen_stays;
     wire end_waits_either = looking | |unchanged;
-    wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & ~mask_is_kept);
-    wire stored_masks_write_either = mask_is_kept | word_is_cleared | sends;
+    wire sends = look_is_seen & may_leave & (~any_wanted & ~(end_waits_either | missed) & keeps_none);
+    wire stored_masks_write_either = ~keeps_none | word_is_cleared | sends;
     wire surface_xor_frame_is_given = surface ^ frame_is_given;
     wire [12:0] stored_masks_address_bits = {surface_xor_frame_is_given, looked_at};
-    wire [12:0] stored_masks_address_choice = word_is_cleared ? cleared : mask_is_kept ? {surface, goes_tile} : stored_masks_address_bits;
+    wire [12:0] stored_masks_address_choice = word_is_cleared ? cleared : keeps_none ? stored_masks_address_bits : {surface, goes_tile};
     wire head_waits = head_valid & ~clearing;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire [7:0] copy_hit_bits = {
@@ -5514,8 +5597,7 @@ module splat_tile_cache (
     wire misses = head_waits_and_not_head_end & ~copy_hit & (not_end_waits_either_2 & next_idle);
     wire [12:0] any_is_stored_address_choice = misses ? {surface, head_tile} : stored_masks_address_bits;
     wire copy_enters = arrived & ~arrived_end;
-    wire head_takes = ~head_valid;
-    wire look_is_read_both = head_takes & in_queue_out_valid;
+    wire look_is_read_both = head_empty & in_queue_out_valid;
     wire [11:0] in_queue_out_tile = in_queue_out_data[22:11];
     wire send_either = (is_of_copy_0 & &in_flight_0) | (is_of_copy_1 & &in_flight_1) | (is_of_copy_2 & &in_flight_2);
     wire send_either_2 = send_either | (is_of_copy_3 & &in_flight_3) | (is_of_copy_4 & &in_flight_4);
@@ -5576,6 +5658,7 @@ module splat_tile_cache (
     wire [7:0] any_resident_bits = {resident_0, resident_1, resident_2, resident_3, resident_4, resident_5, resident_6, resident_7};
     wire any_resident = |any_resident_bits;
     wire switches = end_waits & draws_what_leaves & ~any_resident;
+    wire head_valid_choice = head_valid ? ~(send | switches) : in_queue_out_valid;
     wire in_queue_out_end = in_queue_out_data[51];
     wire [2:0] in_queue_out_left = in_queue_out_data[50:48];
     wire [2:0] in_queue_out_right = in_queue_out_data[47:45];
@@ -5604,49 +5687,52 @@ module splat_tile_cache (
     wire job_starts = start | vacate;
     wire [1:0] still_unchanged = unchanged & sample_reads;
     wire change = |unchanged & (still_unchanged == 2'd0);
+    wire change_and_goes = change & goes;
     wire [11:0] goes_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
     wire [11:0] goes_tile_either_2 = goes_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
     wire [11:0] goes_tile_either_3 = goes_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
     wire fills_are_wanted = change & comes;
     wire begins = sends | fills_are_wanted;
+    wire [64:0] wanted_mask_choice = sends ? seen_mask : mask;
     wire [7:0] wanted_run = {
         wanted_count_both_7, wanted_count_both_6, wanted_count_both_5, wanted_count_both_4,
         wanted_count_both_3, wanted_count_both_2, wanted_count_both, wanted_left[0]
     };
     wire [7:0] wanted_left_both = wanted_left & ~({8{asks}} & wanted_run);
     wire wanted_row_ends = wanted_left_both == 8'd0;
-    wire [64:0] wanted_rest_choice = sends ? seen_mask : mask;
-    wire wanted_row_either = |wanted_rest[7:0] | |wanted_rest[15:8];
-    wire wanted_row_either_2 = wanted_row_either | |wanted_rest[23:16];
-    wire wanted_row_either_3 = wanted_row_either_2 | |wanted_rest[31:24];
-    wire wanted_row_either_4 = wanted_row_either_3 | |wanted_rest[39:32];
-    wire wanted_row_either_5 = wanted_row_either_4 | |wanted_rest[47:40];
-    wire wanted_row_both = |wanted_rest[63:56] & ~(wanted_row_either_5 | |wanted_rest[55:48]);
-    wire [7:0] wanted_left_bits = {8{wanted_row_both}};
-    wire wanted_row_both_2 = |wanted_rest[55:48] & ~wanted_row_either_5;
-    wire [7:0] wanted_left_bits_2 = {8{wanted_row_both_2}};
-    wire wanted_row_both_3 = |wanted_rest[47:40] & ~wanted_row_either_4;
-    wire [7:0] wanted_left_bits_3 = {8{wanted_row_both_3}};
-    wire wanted_row_both_4 = |wanted_rest[39:32] & ~wanted_row_either_3;
-    wire [7:0] wanted_left_bits_4 = {8{wanted_row_both_4}};
-    wire wanted_row_both_5 = |wanted_rest[31:24] & ~wanted_row_either_2;
-    wire [7:0] wanted_left_bits_5 = {8{wanted_row_both_5}};
-    wire wanted_row_both_6 = |wanted_rest[23:16] & ~wanted_row_either;
-    wire [7:0] wanted_left_bits_6 = {8{wanted_row_both_6}};
-    wire wanted_row_both_7 = |wanted_rest[15:8] & ~(|wanted_rest[7:0]);
-    wire [7:0] wanted_left_bits_7 = {8{wanted_row_both_7}};
-    wire [7:0] wanted_left_bits_8 = {8{|wanted_rest[7:0]}};
-    wire [63:0] wanted_rest_bits = {
-        wanted_left_bits, wanted_left_bits_2, wanted_left_bits_3, wanted_left_bits_4, wanted_left_bits_5,
-        wanted_left_bits_6, wanted_left_bits_7, wanted_left_bits_8
+    wire [7:0] wanted_rows_bits = {
+        |wanted_mask_choice[63:56], |wanted_mask_choice[55:48], |wanted_mask_choice[47:40],
+        |wanted_mask_choice[39:32], |wanted_mask_choice[31:24], |wanted_mask_choice[23:16],
+        |wanted_mask_choice[15:8], |wanted_mask_choice[7:0]
     };
-    wire [2:0] wanted_row_either_6 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
-    wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
-    wire [2:0] wanted_row_either_8 = wanted_row_either_7 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
-    wire [7:0] wanted_left_either = (wanted_left_bits_8 & wanted_rest[7:0]) | (wanted_left_bits_7 & wanted_rest[15:8]);
-    wire [7:0] wanted_left_either_2 = wanted_left_either | (wanted_left_bits_6 & wanted_rest[23:16]) | (wanted_left_bits_5 & wanted_rest[31:24]);
-    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | (wanted_left_bits_4 & wanted_rest[39:32]) | (wanted_left_bits_3 & wanted_rest[47:40]);
-    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | (wanted_left_bits_2 & wanted_rest[55:48]) | (wanted_left_bits & wanted_rest[63:56]);
+    wire wanted_rows_0_or_wanted_rows_1 = wanted_rows[0] | wanted_rows[1];
+    wire wanted_row_either = wanted_rows_0_or_wanted_rows_1 | wanted_rows[2];
+    wire wanted_row_either_2 = wanted_row_either | wanted_rows[3];
+    wire wanted_row_either_3 = wanted_row_either_2 | wanted_rows[4];
+    wire wanted_row_either_4 = wanted_row_either_3 | wanted_rows[5];
+    wire wanted_row_both = wanted_rows[7] & ~(wanted_row_either_4 | wanted_rows[6]);
+    wire wanted_row_both_2 = wanted_rows[6] & ~wanted_row_either_4;
+    wire wanted_row_both_3 = wanted_rows[5] & ~wanted_row_either_3;
+    wire wanted_row_both_4 = wanted_rows[4] & ~wanted_row_either_2;
+    wire wanted_row_both_5 = wanted_rows[3] & ~wanted_row_either;
+    wire wanted_row_both_6 = wanted_rows[2] & ~wanted_rows_0_or_wanted_rows_1;
+    wire wanted_row_both_7 = wanted_rows[1] & ~wanted_rows[0];
+    wire [7:0] wanted_rows_bits_2 = {
+        wanted_row_both, wanted_row_both_2, wanted_row_both_3, wanted_row_both_4, wanted_row_both_5,
+        wanted_row_both_6, wanted_row_both_7, wanted_rows[0]
+    };
+    wire [2:0] wanted_row_either_5 = ({3{wanted_row_both_7}} & 3'd1) | ({3{wanted_row_both_6}} & 3'd2);
+    wire [2:0] wanted_row_either_6 = wanted_row_either_5 | ({3{wanted_row_both_5}} & 3'd3) | ({3{wanted_row_both_4}} & 3'd4);
+    wire [2:0] wanted_row_either_7 = wanted_row_either_6 | ({3{wanted_row_both_3}} & 3'd5) | ({3{wanted_row_both_2}} & 3'd6);
+    wire [7:0] wanted_left_either = ({8{wanted_rows[0]}} & wanted_mask[7:0]) | ({8{wanted_row_both_7}} & wanted_mask[15:8]);
+    wire [7:0] wanted_left_either_2 = wanted_left_either | ({8{wanted_row_both_6}} & wanted_mask[23:16]);
+    wire [7:0] wanted_left_either_3 = wanted_left_either_2 | ({8{wanted_row_both_5}} & wanted_mask[31:24]);
+    wire [7:0] wanted_left_either_4 = wanted_left_either_3 | ({8{wanted_row_both_4}} & wanted_mask[39:32]);
+    wire [7:0] wanted_left_either_5 = wanted_left_either_4 | ({8{wanted_row_both_3}} & wanted_mask[47:40]);
+    wire [7:0] wanted_left_either_6 = wanted_left_either_5 | ({8{wanted_row_both_2}} & wanted_mask[55:48]);
+    wire [7:0] wanted_left_either_7 = wanted_left_either_6 | ({8{wanted_row_both}} & wanted_mask[63:56]);
+    wire fills = filling & ~may_fill_shifted[0];
+    wire filling_either = (beat & ~asked_runs_out_leaves) | (filling & ~fills);
     wire [1:0] drains_shifted = sample_reads >> leaving_place[0];
     wire drains = offers_drain & ~drains_shifted[0];
     wire [7:0] leaving_left_bits = {
@@ -5655,40 +5741,36 @@ module splat_tile_cache (
     };
     wire [7:0] leaving_left_both = leaving_left & ~({8{drains}} & leaving_left_bits);
     wire leaving_row_ends = leaving_left_both == 8'd0;
-    wire leaving_row_either = |leaving_rest[7:0] | |leaving_rest[15:8];
-    wire leaving_row_either_2 = leaving_row_either | |leaving_rest[23:16];
-    wire leaving_row_either_3 = leaving_row_either_2 | |leaving_rest[31:24];
-    wire leaving_row_either_4 = leaving_row_either_3 | |leaving_rest[39:32];
-    wire leaving_row_either_5 = leaving_row_either_4 | |leaving_rest[47:40];
-    wire leaving_row_both = |leaving_rest[63:56] & ~(leaving_row_either_5 | |leaving_rest[55:48]);
-    wire [7:0] leaving_left_bits_2 = {8{leaving_row_both}};
-    wire leaving_row_both_2 = |leaving_rest[55:48] & ~leaving_row_either_5;
-    wire [7:0] leaving_left_bits_3 = {8{leaving_row_both_2}};
-    wire leaving_row_both_3 = |leaving_rest[47:40] & ~leaving_row_either_4;
-    wire [7:0] leaving_left_bits_4 = {8{leaving_row_both_3}};
-    wire leaving_row_both_4 = |leaving_rest[39:32] & ~leaving_row_either_3;
-    wire [7:0] leaving_left_bits_5 = {8{leaving_row_both_4}};
-    wire leaving_row_both_5 = |leaving_rest[31:24] & ~leaving_row_either_2;
-    wire [7:0] leaving_left_bits_6 = {8{leaving_row_both_5}};
-    wire leaving_row_both_6 = |leaving_rest[23:16] & ~leaving_row_either;
-    wire [7:0] leaving_left_bits_7 = {8{leaving_row_both_6}};
-    wire leaving_row_both_7 = |leaving_rest[15:8] & ~(|leaving_rest[7:0]);
-    wire [7:0] leaving_left_bits_8 = {8{leaving_row_both_7}};
-    wire [7:0] leaving_left_bits_9 = {8{|leaving_rest[7:0]}};
-    wire [63:0] leaving_rest_bits = {
-        leaving_left_bits_2, leaving_left_bits_3, leaving_left_bits_4, leaving_left_bits_5,
-        leaving_left_bits_6, leaving_left_bits_7, leaving_left_bits_8, leaving_left_bits_9
+    wire [7:0] leaving_rows_bits = {
+        |masks_dirty[63:56], |masks_dirty[55:48], |masks_dirty[47:40], |masks_dirty[39:32],
+        |masks_dirty[31:24], |masks_dirty[23:16], |masks_dirty[15:8], |masks_dirty[7:0]
+    };
+    wire leaving_row_either = leaving_rows[0] | leaving_rows[1];
+    wire leaving_row_either_2 = leaving_row_either | leaving_rows[2];
+    wire leaving_row_either_3 = leaving_row_either_2 | leaving_rows[3];
+    wire leaving_row_either_4 = leaving_row_either_3 | leaving_rows[4];
+    wire leaving_row_either_5 = leaving_row_either_4 | leaving_rows[5];
+    wire leaving_row_both = leaving_rows[7] & ~(leaving_row_either_5 | leaving_rows[6]);
+    wire leaving_row_both_2 = leaving_rows[6] & ~leaving_row_either_5;
+    wire leaving_row_both_3 = leaving_rows[5] & ~leaving_row_either_4;
+    wire leaving_row_both_4 = leaving_rows[4] & ~leaving_row_either_3;
+    wire leaving_row_both_5 = leaving_rows[3] & ~leaving_row_either_2;
+    wire leaving_row_both_6 = leaving_rows[2] & ~leaving_row_either;
+    wire leaving_row_both_7 = leaving_rows[1] & ~leaving_rows[0];
+    wire [7:0] leaving_rows_bits_2 = {
+        leaving_row_both, leaving_row_both_2, leaving_row_both_3, leaving_row_both_4, leaving_row_both_5,
+        leaving_row_both_6, leaving_row_both_7, leaving_rows[0]
     };
     wire [2:0] leaving_row_either_6 = ({3{leaving_row_both_7}} & 3'd1) | ({3{leaving_row_both_6}} & 3'd2);
     wire [2:0] leaving_row_either_7 = leaving_row_either_6 | ({3{leaving_row_both_5}} & 3'd3) | ({3{leaving_row_both_4}} & 3'd4);
     wire [2:0] leaving_row_either_8 = leaving_row_either_7 | ({3{leaving_row_both_3}} & 3'd5) | ({3{leaving_row_both_2}} & 3'd6);
-    wire [7:0] leaving_left_either = (leaving_left_bits_9 & leaving_rest[7:0]) | (leaving_left_bits_8 & leaving_rest[15:8]);
-    wire [7:0] leaving_left_either_2 = leaving_left_either | (leaving_left_bits_7 & leaving_rest[23:16]);
-    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | (leaving_left_bits_6 & leaving_rest[31:24]);
-    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | (leaving_left_bits_5 & leaving_rest[39:32]);
-    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | (leaving_left_bits_4 & leaving_rest[47:40]);
-    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | (leaving_left_bits_3 & leaving_rest[55:48]);
-    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | (leaving_left_bits_2 & leaving_rest[63:56]);
+    wire [7:0] leaving_left_either = ({8{leaving_rows[0]}} & leaving_mask[7:0]) | ({8{leaving_row_both_7}} & leaving_mask[15:8]);
+    wire [7:0] leaving_left_either_2 = leaving_left_either | ({8{leaving_row_both_6}} & leaving_mask[23:16]);
+    wire [7:0] leaving_left_either_3 = leaving_left_either_2 | ({8{leaving_row_both_5}} & leaving_mask[31:24]);
+    wire [7:0] leaving_left_either_4 = leaving_left_either_3 | ({8{leaving_row_both_4}} & leaving_mask[39:32]);
+    wire [7:0] leaving_left_either_5 = leaving_left_either_4 | ({8{leaving_row_both_3}} & leaving_mask[47:40]);
+    wire [7:0] leaving_left_either_6 = leaving_left_either_5 | ({8{leaving_row_both_2}} & leaving_mask[55:48]);
+    wire [7:0] leaving_left_either_7 = leaving_left_either_6 | ({8{leaving_row_both}} & leaving_mask[63:56]);
     wire pixel_leaves = write_valid & write_ready;
     wire starts = job_starts;
     wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
@@ -5784,6 +5866,7 @@ module splat_tile_cache (
     wire overtaken_or_overtaken_both_2 = overtaken | overtaken_both_2;
     wire last_reached = compared & (found_valid & (found_splat == head_splat)) & ~overtaken_or_overtaken_both_2;
     wire forgets_both = forgets & (copy_enters & ({arriving_surface, arrived_tile} != forgotten));
+    wire fill_is_free = ~filling | fills;
 
     assign {
         out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
@@ -5817,13 +5900,13 @@ module splat_tile_cache (
 
     memory_1w1r_unordered #(.WIDTH(64), .DEPTH(8192)) stored_masks (
         .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
-        .write_data({64{mask_is_kept}} & masks_written),
+        .write_data({64{keeps}} & masks_written),
         .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(stored_mask)
     );
 
     memory_1w1r_unordered #(.WIDTH(1), .DEPTH(8192)) stored_any (
         .clk(clk), .write(stored_masks_write_either), .write_address(stored_masks_address_choice),
-        .write_data(mask_is_kept & |masks_written),
+        .write_data(keeps & |masks_written),
         .read(1'd1), .read_address(any_is_stored_address_choice), .read_data(any_is_stored)
     );
 
@@ -5842,7 +5925,7 @@ module splat_tile_cache (
             in_end, in_left, in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference,
             in_last_difference, in_tile, in_splat
         }),
-        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
+        .out_valid(in_queue_out_valid), .out_ready(head_empty), .out_data(in_queue_out_data)
     );
 
     stream_fifo_d16_w54_distributed out_queue (
@@ -5903,10 +5986,13 @@ module splat_tile_cache (
             cleared <= 13'd0;
             surface <= 1'd0;
             looking <= 1'd0;
+            looks_not <= 1'd1;
             unchanged <= 2'd0;
             changed <= 1'd0;
+            keeps <= 1'd0;
+            keeps_none <= 1'd1;
             moving <= 1'd0;
-            wanted_rest <= 64'd0;
+            wanted_rows <= 8'd0;
             wanted_left <= 8'd0;
             any_wanted <= 1'd0;
             wanted_leaves <= 1'd0;
@@ -5914,8 +6000,9 @@ module splat_tile_cache (
             awaited_leaving <= 6'd0;
             came <= 3'd0;
             filling <= 1'd0;
+            fills_none <= 1'd1;
             taken_banks <= 2'd0;
-            leaving_rest <= 64'd0;
+            leaving_rows <= 8'd0;
             leaving_left <= 8'd0;
             any_leaving <= 1'd0;
             owed <= 4'd0;
@@ -5969,6 +6056,7 @@ module splat_tile_cache (
             look_is_shown <= 1'd0;
             look_is_seen <= 1'd0;
             missed <= 1'd0;
+            head_empty <= 1'd1;
             arrived <= 1'd0;
             arriving_surface <= 1'd0;
             whole_frames <= 2'd0;
@@ -5976,43 +6064,48 @@ module splat_tile_cache (
             compared <= 1'd0;
             forgets <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~(send | switches) : in_queue_out_valid;
+            head_valid <= head_valid_choice;
             clearing <= clearing & ~cleared_plus_1[12];
             surface <= surface ^ switches;
             looking <= job_starts;
+            looks_not <= ~job_starts;
             unchanged <= still_unchanged | {2{looking}};
             changed <= change;
-            wanted_left <= wanted_row_ends ? wanted_left_either_4 : wanted_left_both;
-            any_wanted <= ~wanted_row_ends | (|wanted_rest | (begins & (sends | mask[64])));
+            keeps <= change_and_goes;
+            keeps_none <= ~change_and_goes;
+            wanted_left <= wanted_row_ends ? wanted_left_either_7 : wanted_left_both;
+            any_wanted <= ~wanted_row_ends | (|wanted_rows | (begins & (sends | mask[64])));
             awaited_fills <= (awaited_fills + {5'd0, asks & ~wanted_leaves}) - {5'd0, run_ends & ~asked_runs_out_leaves};
             awaited_leaving <= (awaited_leaving + {5'd0, asks & wanted_leaves}) - {5'd0, run_ends & asked_runs_out_leaves};
-            filling <= (beat & ~asked_runs_out_leaves) | (filling & ~fills);
+            filling <= filling_either;
+            fills_none <= ~filling_either;
             taken_banks <= sample_writes;
             leaving_left <= leaving_row_ends ? leaving_left_either_7 : leaving_left_both;
-            any_leaving <= ~leaving_row_ends | (|leaving_rest | (mask_is_kept & |masks_dirty));
+            any_leaving <= ~leaving_row_ends | (|leaving_rows | (keeps & |masks_dirty));
             owed <= (owed + {3'd0, drains}) - {3'd0, pixel_leaves};
             used_0 <= in_flight_0_both | (used_0 & ~next_is_0);
-            is_of_copy_0 <= head_takes ? is_of_copy_0_both : (start_and_next_is_0 | (is_of_copy_0 & not_starts_and_next_is_0));
+            is_of_copy_0 <= head_empty ? is_of_copy_0_both : (start_and_next_is_0 | (is_of_copy_0 & not_starts_and_next_is_0));
             used_1 <= in_flight_1_both | (used_1 & ~next_is_1);
-            is_of_copy_1 <= head_takes ? is_of_copy_1_both : (start_and_next_is_1 | (is_of_copy_1 & not_starts_and_next_is_1));
+            is_of_copy_1 <= head_empty ? is_of_copy_1_both : (start_and_next_is_1 | (is_of_copy_1 & not_starts_and_next_is_1));
             used_2 <= in_flight_2_both | (used_2 & ~next_is_2);
-            is_of_copy_2 <= head_takes ? is_of_copy_2_both : (start_and_next_is_2 | (is_of_copy_2 & not_starts_and_next_is_2));
+            is_of_copy_2 <= head_empty ? is_of_copy_2_both : (start_and_next_is_2 | (is_of_copy_2 & not_starts_and_next_is_2));
             used_3 <= in_flight_3_both | (used_3 & ~next_is_3);
-            is_of_copy_3 <= head_takes ? is_of_copy_3_both : (start_and_next_is_3 | (is_of_copy_3 & not_starts_and_next_is_3));
+            is_of_copy_3 <= head_empty ? is_of_copy_3_both : (start_and_next_is_3 | (is_of_copy_3 & not_starts_and_next_is_3));
             used_4 <= in_flight_4_both | (used_4 & ~next_is_4);
-            is_of_copy_4 <= head_takes ? is_of_copy_4_both : (start_and_next_is_4 | (is_of_copy_4 & not_starts_and_next_is_4));
+            is_of_copy_4 <= head_empty ? is_of_copy_4_both : (start_and_next_is_4 | (is_of_copy_4 & not_starts_and_next_is_4));
             used_5 <= in_flight_5_both | (used_5 & ~next_is_5);
-            is_of_copy_5 <= head_takes ? is_of_copy_5_both : (start_and_next_is_5 | (is_of_copy_5 & not_starts_and_next_is_5));
+            is_of_copy_5 <= head_empty ? is_of_copy_5_both : (start_and_next_is_5 | (is_of_copy_5 & not_starts_and_next_is_5));
             used_6 <= in_flight_6_both | (used_6 & ~next_is_6);
-            is_of_copy_6 <= head_takes ? is_of_copy_6_both : (start_and_next_is_6 | (is_of_copy_6 & not_starts_and_next_is_6));
+            is_of_copy_6 <= head_empty ? is_of_copy_6_both : (start_and_next_is_6 | (is_of_copy_6 & not_starts_and_next_is_6));
             used_7 <= in_flight_7_both | (used_7 & ~next_is_7);
-            is_of_copy_7 <= head_takes ? is_of_copy_7_both : (start_and_next_is_7 | (is_of_copy_7 & not_starts_and_next_is_7));
+            is_of_copy_7 <= head_empty ? is_of_copy_7_both : (start_and_next_is_7 | (is_of_copy_7 & not_starts_and_next_is_7));
             next_idle <= next_idle_either_15 & ~turns;
             turn_is_new <= turns;
             look_reads <= looks_at_next | (looks & gone_tiles_out_valid) | (look_reads & ~look_is_read);
             look_is_shown <= look_is_read;
             look_is_seen <= look_is_shown | (look_is_seen & ~looks);
             missed <= misses;
+            head_empty <= ~head_valid_choice;
             arrived <= arrives_valid;
             arriving_surface <= arriving_surface ^ frame_is_whole;
             whole_frames <= (whole_frames + {1'd0, frame_is_whole}) - {1'd0, switches};
@@ -6023,12 +6116,12 @@ module splat_tile_cache (
             if (word_is_cleared) cleared <= cleared_plus_1;
             if (changed | done) moving <= changed;
             if (begins | wanted_row_ends) begin
-                wanted_rest <= begins ? wanted_rest_choice[63:0] : (wanted_rest & ~wanted_rest_bits);
+                wanted_rows <= begins ? wanted_rows_bits : (wanted_rows & ~wanted_rows_bits_2);
             end
             if (begins) wanted_leaves <= sends;
             if (beat) came <= run_ends ? 3'd0 : came_now[2:0];
-            if (mask_is_kept | leaving_row_ends) begin
-                leaving_rest <= mask_is_kept ? masks_dirty : (leaving_rest & ~leaving_rest_bits);
+            if (keeps | leaving_row_ends) begin
+                leaving_rows <= keeps ? leaving_rows_bits : (leaving_rows & ~leaving_rows_bits_2);
             end
             if (turns) next <= next_is_7 ? 3'd0 : (next + 3'd1);
             if (starts_and_next_is_0) resident_0 <= start_and_next_is_0;
@@ -6079,7 +6172,7 @@ module splat_tile_cache (
         end
     end
     always @(posedge clk) begin
-        if (head_takes) begin
+        if (head_empty) begin
             head_end <= in_queue_out_end;
             head_left <= in_queue_out_left;
             head_right <= in_queue_out_right;
@@ -6092,7 +6185,7 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
             head_splat <= in_queue_out_splat;
         end
-        if (looking) mask <= {any_is_stored, stored_mask};
+        if (~looks_not) mask <= {any_is_stored, stored_mask};
         if (job_starts) begin
             slot <= next;
             comes <= start;
@@ -6100,11 +6193,13 @@ module splat_tile_cache (
             goes <= goes_either_4;
             goes_tile <= goes_tile_either_3 | ({12{next_is_7}} & tile_7);
         end
-        if (wanted_row_ends) wanted_row <= wanted_row_either_8 | {3{wanted_row_both}};
         if (begins) begin
+            wanted_mask <= wanted_mask_choice[63:0];
             wanted_surface <= sends ? surface_xor_frame_is_given : surface;
             wanted_tile <= sends ? looked_at : tile;
         end
+        if (wanted_row_ends) wanted_row <= wanted_row_either_7 | {3{wanted_row_both}};
+        if (keeps) leaving_mask <= masks_dirty;
         if (leaving_row_ends) leaving_row <= leaving_row_either_8 | {3{leaving_row_both}};
         if (start_and_next_is_0) tile_0 <= head_tile;
         if (start_and_next_is_1) tile_1 <= head_tile;
@@ -6151,13 +6246,28 @@ module splat_tile_cache (
         end
     end
 
-    wire _unused = &{1'b0, drains_shifted[1], fills_shifted[1], wanted_rest_choice[64], write_queue_in_ready};
+    wire _unused = &{1'b0, drains_shifted[1], may_fill_shifted[1], wanted_mask_choice[64], write_queue_in_ready};
 
 `ifdef RTL_ASSERT
+    wire [7:0] check_bits = {
+        |wanted_mask[63:56], |wanted_mask[55:48], |wanted_mask[47:40], |wanted_mask[39:32],
+        |wanted_mask[31:24], |wanted_mask[23:16], |wanted_mask[15:8], |wanted_mask[7:0]
+    };
+    wire [7:0] check_bits_2 = {
+        |leaving_mask[63:56], |leaving_mask[55:48], |leaving_mask[47:40], |leaving_mask[39:32],
+        |leaving_mask[31:24], |leaving_mask[23:16], |leaving_mask[15:8], |leaving_mask[7:0]
+    };
+
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        head_empty_or_valid: assert (head_valid ^ head_empty);
+        masks_are_kept_of_tiles_that_go: assert ((keeps == (changed & goes)) & (keeps ^ keeps_none));
         one_copy_is_forgotten_at_a_time: assert (~(last_reached & (forgets & copy_enters)));
+        it_looks_or_not: assert (looking ^ looks_not);
+        wanted_rows_have_pixels: assert ((wanted_rows & ~check_bits) == 8'd0);
         drained_pixels_find_room: assert (~drained_valid | write_queue_in_ready);
+        leaving_rows_have_pixels: assert ((leaving_rows & ~check_bits_2) == 8'd0);
+        fills_or_none: assert (filling ^ fills_none);
         slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
         slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
         slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
@@ -6167,12 +6277,28 @@ module splat_tile_cache (
         slot_6_retires_what_entered: assert (~in_flight_6_enable_both | |in_flight_6);
         slot_7_retires_what_entered: assert (~in_flight_7_enable_both | |in_flight_7);
 `else
+        if (!(head_valid ^ head_empty)) begin
+            $display("assertion failed: head_empty_or_valid in %m"); $stop;
+        end
+        if (!((keeps == (changed & goes)) & (keeps ^ keeps_none))) begin
+            $display("assertion failed: masks_are_kept_of_tiles_that_go in %m"); $stop;
+        end
         if (!(~(last_reached & (forgets & copy_enters)))) begin
             $display("assertion failed: one_copy_is_forgotten_at_a_time in %m"); $stop;
+        end
+        if (!(looking ^ looks_not)) begin
+            $display("assertion failed: it_looks_or_not in %m"); $stop;
+        end
+        if (!((wanted_rows & ~check_bits) == 8'd0)) begin
+            $display("assertion failed: wanted_rows_have_pixels in %m"); $stop;
         end
         if (!(~drained_valid | write_queue_in_ready)) begin
             $display("assertion failed: drained_pixels_find_room in %m"); $stop;
         end
+        if (!((leaving_rows & ~check_bits_2) == 8'd0)) begin
+            $display("assertion failed: leaving_rows_have_pixels in %m"); $stop;
+        end
+        if (!(filling ^ fills_none)) begin $display("assertion failed: fills_or_none in %m"); $stop; end
         if (!(~in_flight_0_enable_both | |in_flight_0)) begin
             $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
@@ -7219,7 +7345,7 @@ module splat_payloads (
     reg [3:0] held_first_difference;  // Smallest difference.
     reg [3:0] held_last_difference;  // Largest difference.
     reg [11:0] held_tile;
-    reg current_valid, beat, complete_valid, out_holds;
+    reg current_valid, beat, complete_valid, complete_room, out_holds;
     reg [2:0] current_left;  // First column.
     reg [2:0] current_right;  // Last column.
     reg [2:0] current_top;  // First row.
@@ -7345,7 +7471,6 @@ module splat_payloads (
         in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_sight_negative,
         in_sight_near, in_sight_far[30:26]
     };
-    wire complete_room = ~complete_valid;
     wire leaves = current_valid & beat & complete_room;
     wire advance = ~current_valid | leaves;
     wire advance_or_not_beat = advance | ~beat;
@@ -7363,6 +7488,7 @@ module splat_payloads (
     wire needs_place = in_first & ~in_end;
     wire begins_splat = take & needs_place;
     wire out_room = ~out_holds | out_ready;
+    wire complete_valid_either = leaves | (complete_valid & ~out_room);
     wire [2:0] placed_queue_out_left = placed_queue_out_data[53:51];
     wire [2:0] placed_queue_out_right = placed_queue_out_data[50:48];
     wire [2:0] placed_queue_out_top = placed_queue_out_data[47:45];
@@ -7479,6 +7605,7 @@ module splat_payloads (
             writing <= 1'd0;
             current_valid <= 1'd0;
             complete_valid <= 1'd0;
+            complete_room <= 1'd1;
             out_holds <= 1'd0;
             left_valid <= 1'd0;
             reading_valid <= 1'd0;
@@ -7492,7 +7619,8 @@ module splat_payloads (
             passes <= in_valid & ~ready & ~needs_place;
             open <= begins_splat | (open & ~closes_splat);
             writing <= writing ? ~word : begins_splat;
-            complete_valid <= leaves | (complete_valid & ~out_room);
+            complete_valid <= complete_valid_either;
+            complete_room <= ~complete_valid_either;
             left_valid <= leaves;
             reading_valid <= begins;
             caught_valid <= reading_valid;
@@ -7555,7 +7683,7 @@ module splat_payloads (
             current_slot <= placed_queue_out_slot;
         end
         if (~beat) kept_0 <= shown_word;
-        if (complete_room) begin
+        if (~complete_valid) begin
             complete_center_x <= kept_0[324:293];
             complete_center_y <= kept_0[292:261];
             complete_ax <= kept_0[260:229];
@@ -7648,8 +7776,12 @@ module splat_payloads (
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        complete_or_room: assert (complete_valid ^ complete_room);
         a_place_that_is_free_has_room: assert (~releases | released_in_ready);
 `else
+        if (!(complete_valid ^ complete_room)) begin
+            $display("assertion failed: complete_or_room in %m"); $stop;
+        end
         if (!(~releases | released_in_ready)) begin
             $display("assertion failed: a_place_that_is_free_has_room in %m"); $stop;
         end
@@ -7906,7 +8038,7 @@ module splat_splitter (
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, open;
+    reg none_made, room, busy, open, ready, closed;
     reg splat_end;  // Closes the frame.
     reg [31:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [31:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -7953,86 +8085,97 @@ module splat_splitter (
     reg [4:0] not_last_difference;
     reg first_sum_not_half, last_sum_not_half, last_sum_not_negative, last_sum_over_half, first;
 
-    wire out_queue_in_ready;
-    wire [690:0] out_queue_out_data;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [694:0] out_queue_out_data;
 
-    wire ready = out_queue_in_ready & open;
-    wire step = out_queue_in_ready & busy;
-    wire [4:0] occupied_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
-    wire occupied_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= occupied_difference);
-    wire [4:0] occupied_sum = {2'd3, right} + {1'd1, not_first_difference};
-    wire [5:0] occupied_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
-    wire occupied_both_2 = occupied_both & ({2'd2, top} <= occupied_sum) & ({2'd2, top} <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_difference_2 = {1'd1, first_sum} - {2'd0, right};
-    wire occupied_both_3 = occupied_both_2 & (occupied_difference_2 <= {2'd2, bottom}) & (occupied_difference_2 <= occupied_difference);
-    wire occupied_both_4 = occupied_both_3 & (occupied_difference_2 <= occupied_sum) & (occupied_difference_2 <= occupied_sum_2[5:1]);
-    wire [4:0] occupied_sum_3 = {2'd3, left} + not_last_difference;
-    wire occupied_both_5 = occupied_both_4 & (occupied_sum_3 <= {2'd2, bottom}) & (occupied_sum_3 <= occupied_difference);
-    wire occupied_both_6 = occupied_both_5 & (occupied_sum_3 <= occupied_sum) & (occupied_sum_3 <= occupied_sum_2[5:1]);
-    wire [5:0] occupied_difference_3 = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
-    wire occupied_both_7 = occupied_both_6 & (occupied_difference_3[5:1] <= {2'd2, bottom}) & (occupied_difference_3[5:1] <= occupied_difference);
-    wire occupied_both_8 = occupied_both_7 & (occupied_difference_3[5:1] <= occupied_sum) & (occupied_difference_3[5:1] <= occupied_sum_2[5:1]);
-    wire occupied = splat_end | occupied_both_8;
-    wire push = step & occupied;
-    wire out_queue_in_data_in_order = occupied_difference_2 <= {2'd2, top};
-    wire out_queue_in_data_in_order_2 = occupied_sum_3 <= {2'd2, top};
-    wire out_queue_in_data_in_order_3 = occupied_difference_3[5:1] <= {2'd2, top};
-    wire out_queue_in_data_both = out_queue_in_data_in_order & out_queue_in_data_in_order_2 & out_queue_in_data_in_order_3;
-    wire out_queue_in_data_in_order_4 = occupied_sum_3 <= occupied_difference_2;
-    wire out_queue_in_data_in_order_5 = occupied_difference_3[5:1] <= occupied_difference_2;
-    wire out_queue_in_data_both_2 = ~out_queue_in_data_in_order & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
-    wire [4:0] out_queue_in_data_either = ({5{out_queue_in_data_both}} & {2'd2, top}) | ({5{out_queue_in_data_both_2}} & occupied_difference_2);
-    wire out_queue_in_data_in_order_6 = occupied_difference_3[5:1] <= occupied_sum_3;
-    wire out_queue_in_data_both_3 = ~out_queue_in_data_in_order_2 & ~out_queue_in_data_in_order_4 & out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_2 = out_queue_in_data_either | ({5{out_queue_in_data_both_3}} & occupied_sum_3);
-    wire out_queue_in_data_both_4 = ~out_queue_in_data_in_order_3 & ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_6;
-    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_4}} & occupied_difference_3[5:1]);
-    wire out_queue_in_data_in_order_7 = {2'd2, bottom} <= occupied_difference;
-    wire out_queue_in_data_in_order_8 = {2'd2, bottom} <= occupied_sum;
-    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= occupied_sum_2[5:1];
-    wire out_queue_in_data_both_5 = out_queue_in_data_in_order_7 & out_queue_in_data_in_order_8 & out_queue_in_data_in_order_9;
-    wire out_queue_in_data_in_order_10 = occupied_difference <= occupied_sum;
-    wire out_queue_in_data_in_order_11 = occupied_difference <= occupied_sum_2[5:1];
-    wire out_queue_in_data_both_6 = ~out_queue_in_data_in_order_7 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
-    wire [4:0] out_queue_in_data_either_4 = ({5{out_queue_in_data_both_5}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_6}} & occupied_difference);
-    wire out_queue_in_data_in_order_12 = occupied_sum <= occupied_sum_2[5:1];
-    wire out_queue_in_data_both_7 = ~out_queue_in_data_in_order_8 & ~out_queue_in_data_in_order_10 & out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_5 = out_queue_in_data_either_4 | ({5{out_queue_in_data_both_7}} & occupied_sum);
-    wire out_queue_in_data_both_8 = ~out_queue_in_data_in_order_9 & ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_12;
-    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_8}} & occupied_sum_2[5:1]);
+    wire [3:0] out_queue_out_made = out_queue_out_data[694:691];
+    wire made = &out_queue_out_made;
+    wire out_queue_out_first = out_queue_out_data[689];
+    wire out_first_either = out_queue_out_first | none_made;
+    wire [4:0] out_queue_in_data_difference = {last_sum_not_negative, last_sum[3:0]} - {2'd0, left};
+    wire out_queue_in_data_both = ({2'd2, top} <= {2'd2, bottom}) & ({2'd2, top} <= out_queue_in_data_difference);
+    wire [4:0] out_queue_in_data_sum = {2'd3, right} + {1'd1, not_first_difference};
+    wire [5:0] out_queue_in_data_sum_2 = {1'd1, last_sum_over_half, last_sum_not_half, last_sum[2:0]} + {2'd3, not_first_difference};
+    wire out_queue_in_data_both_2 = out_queue_in_data_both & ({2'd2, top} <= out_queue_in_data_sum) & ({2'd2, top} <= out_queue_in_data_sum_2[5:1]);
+    wire [4:0] out_queue_in_data_difference_2 = {1'd1, first_sum} - {2'd0, right};
+    wire out_queue_in_data_both_3 = (out_queue_in_data_difference_2 <= {2'd2, bottom}) & (out_queue_in_data_difference_2 <= out_queue_in_data_difference);
+    wire out_queue_in_data_both_4 = out_queue_in_data_both_3 & (out_queue_in_data_difference_2 <= out_queue_in_data_sum);
+    wire out_queue_in_data_both_5 = out_queue_in_data_both_4 & (out_queue_in_data_difference_2 <= out_queue_in_data_sum_2[5:1]);
+    wire [4:0] out_queue_in_data_sum_3 = {2'd3, left} + not_last_difference;
+    wire out_queue_in_data_both_6 = (out_queue_in_data_sum_3 <= {2'd2, bottom}) & (out_queue_in_data_sum_3 <= out_queue_in_data_difference);
+    wire out_queue_in_data_both_7 = out_queue_in_data_both_6 & (out_queue_in_data_sum_3 <= out_queue_in_data_sum);
+    wire out_queue_in_data_both_8 = out_queue_in_data_both_7 & (out_queue_in_data_sum_3 <= out_queue_in_data_sum_2[5:1]);
+    wire [5:0] out_queue_in_data_difference_3 = {1'd1, first_sum[3], first_sum_not_half, first_sum[2:0]} - {last_difference[4], last_difference};
+    wire out_queue_in_data_in_order = out_queue_in_data_difference_3[5:1] <= out_queue_in_data_difference;
+    wire out_queue_in_data_both_9 = (out_queue_in_data_difference_3[5:1] <= {2'd2, bottom}) & out_queue_in_data_in_order;
+    wire out_queue_in_data_both_10 = out_queue_in_data_both_9 & (out_queue_in_data_difference_3[5:1] <= out_queue_in_data_sum);
+    wire out_queue_in_data_in_order_2 = out_queue_in_data_difference_3[5:1] <= out_queue_in_data_sum_2[5:1];
+    wire out_queue_in_data_either = splat_end | (out_queue_in_data_both_10 & out_queue_in_data_in_order_2);
+    wire out_queue_in_data_in_order_3 = out_queue_in_data_difference_2 <= {2'd2, top};
+    wire out_queue_in_data_in_order_4 = out_queue_in_data_sum_3 <= {2'd2, top};
+    wire out_queue_in_data_in_order_5 = out_queue_in_data_difference_3[5:1] <= {2'd2, top};
+    wire out_queue_in_data_both_11 = out_queue_in_data_in_order_3 & out_queue_in_data_in_order_4 & out_queue_in_data_in_order_5;
+    wire out_queue_in_data_in_order_6 = out_queue_in_data_sum_3 <= out_queue_in_data_difference_2;
+    wire out_queue_in_data_in_order_7 = out_queue_in_data_difference_3[5:1] <= out_queue_in_data_difference_2;
+    wire out_queue_in_data_both_12 = ~out_queue_in_data_in_order_3 & out_queue_in_data_in_order_6 & out_queue_in_data_in_order_7;
+    wire [4:0] out_queue_in_data_either_2 = ({5{out_queue_in_data_both_11}} & {2'd2, top}) | ({5{out_queue_in_data_both_12}} & out_queue_in_data_difference_2);
+    wire out_queue_in_data_in_order_8 = out_queue_in_data_difference_3[5:1] <= out_queue_in_data_sum_3;
+    wire out_queue_in_data_both_13 = ~out_queue_in_data_in_order_4 & ~out_queue_in_data_in_order_6 & out_queue_in_data_in_order_8;
+    wire [4:0] out_queue_in_data_either_3 = out_queue_in_data_either_2 | ({5{out_queue_in_data_both_13}} & out_queue_in_data_sum_3);
+    wire out_queue_in_data_both_14 = ~out_queue_in_data_in_order_5 & ~out_queue_in_data_in_order_7 & ~out_queue_in_data_in_order_8;
+    wire [4:0] out_queue_in_data_both_15 = {5{out_queue_in_data_both_14}} & out_queue_in_data_difference_3[5:1];
+    wire [4:0] out_queue_in_data_either_4 = out_queue_in_data_either_3 | out_queue_in_data_both_15;
+    wire out_queue_in_data_in_order_9 = {2'd2, bottom} <= out_queue_in_data_difference;
+    wire out_queue_in_data_in_order_10 = {2'd2, bottom} <= out_queue_in_data_sum;
+    wire out_queue_in_data_in_order_11 = {2'd2, bottom} <= out_queue_in_data_sum_2[5:1];
+    wire out_queue_in_data_both_16 = out_queue_in_data_in_order_9 & out_queue_in_data_in_order_10 & out_queue_in_data_in_order_11;
+    wire out_queue_in_data_in_order_12 = out_queue_in_data_difference <= out_queue_in_data_sum;
+    wire out_queue_in_data_in_order_13 = out_queue_in_data_difference <= out_queue_in_data_sum_2[5:1];
+    wire out_queue_in_data_both_17 = ~out_queue_in_data_in_order_9 & out_queue_in_data_in_order_12 & out_queue_in_data_in_order_13;
+    wire [4:0] out_queue_in_data_either_5 = ({5{out_queue_in_data_both_16}} & {2'd2, bottom}) | ({5{out_queue_in_data_both_17}} & out_queue_in_data_difference);
+    wire out_queue_in_data_in_order_14 = out_queue_in_data_sum <= out_queue_in_data_sum_2[5:1];
+    wire out_queue_in_data_both_18 = ~out_queue_in_data_in_order_10 & ~out_queue_in_data_in_order_12 & out_queue_in_data_in_order_14;
+    wire [4:0] out_queue_in_data_either_6 = out_queue_in_data_either_5 | ({5{out_queue_in_data_both_18}} & out_queue_in_data_sum);
+    wire out_queue_in_data_both_19 = ~out_queue_in_data_in_order_11 & ~out_queue_in_data_in_order_13 & ~out_queue_in_data_in_order_14;
+    wire [4:0] out_queue_in_data_either_7 = out_queue_in_data_either_6 | ({5{out_queue_in_data_both_19}} & out_queue_in_data_sum_2[5:1]);
+    wire out_queue_out_ready = out_ready | ~made;
+    wire next_room = room ? ~busy : out_queue_out_ready;
     wire one_column = in_left[8:3] == in_right[8:3];
     wire one_row = in_top[8:3] == in_bottom[8:3];
     wire [5:0] column_plus_1 = column + 6'd1;
     wire reaches_right = right_most ? (splat_left[8:3] == splat_right[8:3]) : (column_plus_1 == splat_right[8:3]);
     wire [5:0] row_plus_1 = row + 6'd1;
     wire reaches_bottom = row_plus_1 == splat_bottom[8:3];
-    wire turns = out_queue_in_ready & (open | right_most);
-    wire [11:0] first_sum_arrives_inverted = ~{3'd0, in_left[8:3], 3'd0};
-    wire [11:0] first_sum_arrives_inverted_2 = ~{3'd0, in_top[8:3], 3'd0};
-    wire [11:0] first_sum_arrives_unequal = {2'd0, in_first_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
-    wire [11:0] first_sum_arrives_either = ({2'd0, in_first_sum} & first_sum_arrives_inverted) | ({2'd0, in_first_sum} & first_sum_arrives_inverted_2);
-    wire [11:0] first_sum_arrives_both = first_sum_arrives_inverted & first_sum_arrives_inverted_2;
-    wire [11:0] first_sum_arrives_either_2 = first_sum_arrives_either | first_sum_arrives_both;
+    wire open_choice = open ? (~in_valid | (in_end | (one_column & one_row))) : (reaches_right & (right_most ? reaches_bottom : bottom_most));
+    wire next_ready = next_room & (room ? open_choice : open);
+    wire turns = room & (open | right_most);
+    wire [11:0] first_difference_arrives_inverted = ~{3'd0, in_left[8:3], 3'd0};
+    wire [11:0] last_sum_arrives_inverted = ~{3'd0, in_top[8:3], 3'd0};
+    wire [11:0] first_sum_arrives_unequal = {2'd0, in_first_sum} ^ first_difference_arrives_inverted ^ last_sum_arrives_inverted;
+    wire [11:0] first_sum_arrives_either = ({2'd0, in_first_sum} & first_difference_arrives_inverted) | ({2'd0, in_first_sum} & last_sum_arrives_inverted);
+    wire [11:0] last_sum_arrives_both = first_difference_arrives_inverted & last_sum_arrives_inverted;
+    wire [11:0] first_sum_arrives_either_2 = first_sum_arrives_either | last_sum_arrives_both;
     wire [11:0] first_sum_arrives = first_sum_arrives_unequal - ~{first_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_sum_row_begins_minus_8 = first_sum_row_begins - 12'd8;
     wire [11:0] first_sum_moved = right_most ? first_sum_row_begins_minus_8 : (first_sum_here - 12'd8);
-    wire [11:0] last_sum_arrives_unequal = {2'd0, in_last_sum} ^ first_sum_arrives_inverted ^ first_sum_arrives_inverted_2;
-    wire [11:0] last_sum_arrives_either = ({2'd0, in_last_sum} & first_sum_arrives_inverted) | ({2'd0, in_last_sum} & first_sum_arrives_inverted_2);
-    wire [11:0] last_sum_arrives_either_2 = last_sum_arrives_either | first_sum_arrives_both;
+    wire [11:0] last_sum_arrives_unequal = {2'd0, in_last_sum} ^ first_difference_arrives_inverted ^ last_sum_arrives_inverted;
+    wire [11:0] last_sum_arrives_either = ({2'd0, in_last_sum} & first_difference_arrives_inverted) | ({2'd0, in_last_sum} & last_sum_arrives_inverted);
+    wire [11:0] last_sum_arrives_either_2 = last_sum_arrives_either | last_sum_arrives_both;
     wire [11:0] last_sum_arrives = last_sum_arrives_unequal - ~{last_sum_arrives_either_2[10:0], 1'd1};
     wire [11:0] last_sum_row_begins_minus_8 = last_sum_row_begins - 12'd8;
     wire [11:0] last_sum_moved = right_most ? last_sum_row_begins_minus_8 : (last_sum_here - 12'd8);
-    wire [11:0] last_difference_arrives_inverted = ~{3'd0, ~in_top[8:3], 3'd0};
-    wire [11:0] first_difference_arrives_unequal = {2'd0, in_first_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
-    wire [11:0] first_difference_arrives_either = ({2'd0, in_first_difference} & first_sum_arrives_inverted) | ({2'd0, in_first_difference} & last_difference_arrives_inverted);
-    wire [11:0] last_difference_arrives_both = first_sum_arrives_inverted & last_difference_arrives_inverted;
-    wire [11:0] first_difference_arrives_either_2 = first_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] first_difference_arrives_inverted_2 = ~{3'd0, ~in_top[8:3], 3'd0};
+    wire [11:0] first_difference_arrives_unequal = {2'd0, in_first_difference} ^ first_difference_arrives_inverted ^ first_difference_arrives_inverted_2;
+    wire [11:0] first_difference_arrives_both = {2'd0, in_first_difference} & first_difference_arrives_inverted_2;
+    wire [11:0] first_difference_arrives_either = ({2'd0, in_first_difference} & first_difference_arrives_inverted) | first_difference_arrives_both;
+    wire [11:0] first_difference_arrives_both_2 = first_difference_arrives_inverted & first_difference_arrives_inverted_2;
+    wire [11:0] first_difference_arrives_either_2 = first_difference_arrives_either | first_difference_arrives_both_2;
     wire [11:0] first_difference_arrives = first_difference_arrives_unequal - ~{first_difference_arrives_either_2[10:0], 1'd1};
     wire [11:0] first_difference_row_begins_sum = first_difference_row_begins + 12'd8;
     wire [11:0] first_difference_moved = right_most ? first_difference_row_begins_sum : (first_difference_here - 12'd8);
-    wire [11:0] last_difference_arrives_unequal = {2'd0, in_last_difference} ^ first_sum_arrives_inverted ^ last_difference_arrives_inverted;
-    wire [11:0] last_difference_arrives_either = ({2'd0, in_last_difference} & first_sum_arrives_inverted) | ({2'd0, in_last_difference} & last_difference_arrives_inverted);
-    wire [11:0] last_difference_arrives_either_2 = last_difference_arrives_either | last_difference_arrives_both;
+    wire [11:0] last_difference_arrives_unequal = {2'd0, in_last_difference} ^ first_difference_arrives_inverted ^ first_difference_arrives_inverted_2;
+    wire [11:0] last_difference_arrives_either = ({2'd0, in_last_difference} & first_difference_arrives_inverted) | ({2'd0, in_last_difference} & first_difference_arrives_inverted_2);
+    wire [11:0] last_difference_arrives_either_2 = last_difference_arrives_either | first_difference_arrives_both_2;
     wire [11:0] last_difference_arrives = last_difference_arrives_unequal - ~{last_difference_arrives_either_2[10:0], 1'd1};
     wire [11:0] last_difference_row_begins_sum = last_difference_row_begins + 12'd8;
     wire [11:0] last_difference_moved = right_most ? last_difference_row_begins_sum : (last_difference_here - 12'd8);
@@ -8056,42 +8199,55 @@ module splat_splitter (
     wire [3:0] not_first_difference_choice_5 = open ? not_first_difference_choice_2 : not_first_difference_choice_4;
 
     assign in_ready = ready;
+    assign out_valid = out_queue_out_valid & made;
+    assign out_end = out_queue_out_data[690];
+    assign out_first = out_first_either;
     assign {
-        out_end, out_first, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx,
-        out_my, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
-        out_last_difference, out_tile
-    } = out_queue_out_data;
+        out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
+    } = out_queue_out_data[688:0];
 
-    stream_half_buffer_w691 out_queue (
-        .clk(clk), .rst(rst), .in_valid(push), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w695 out_queue (
+        .clk(clk), .rst(rst), .in_valid(room & busy), .in_ready(out_queue_in_ready),
         .in_data({
-            splat_end, first, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
-            splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
-            splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
-            splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
-            splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
-            splat_attribute_11, splat_attribute_12, splat_cardinal_0, left, right,
-            out_queue_in_data_either_3[2:0], out_queue_in_data_either_6[2:0], first_sum, last_sum[3:0],
-            ~not_first_difference, last_difference[3:0], row, column
+            splat_end | out_queue_in_data_both_2, splat_end | out_queue_in_data_both_5,
+            splat_end | out_queue_in_data_both_8, out_queue_in_data_either, splat_end, first, splat_center_x,
+            splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta, splat_mx, splat_my,
+            splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned, splat_sight_disc,
+            splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0, splat_attribute_1,
+            splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5, splat_attribute_6,
+            splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10, splat_attribute_11,
+            splat_attribute_12, splat_cardinal_0, left, right, out_queue_in_data_either_4[2:0],
+            out_queue_in_data_either_7[2:0], first_sum, last_sum[3:0], ~not_first_difference,
+            last_difference[3:0], row, column
         }),
-        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_queue_out_valid), .out_ready(out_queue_out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            room <= 1'd1;
             busy <= 1'd0;
             open <= 1'd1;
-        end else if (out_queue_in_ready) begin
-            busy <= open ? in_valid : busy;
-            open <= open ? (~in_valid | (in_end | (one_column & one_row))) : (reaches_right & (right_most ? reaches_bottom : bottom_most));
+            ready <= 1'd1;
+            closed <= 1'd0;
+        end else begin
+            room <= next_room;
+            ready <= next_ready;
+            closed <= ~next_ready;
+            if (room) begin
+                busy <= open ? in_valid : busy;
+                open <= open_choice;
+            end
         end
     end
     always @(posedge clk) begin
-        if (ready) begin
+        if (out_queue_out_valid & out_queue_out_ready) none_made <= out_first_either & ~made;
+        if (~closed) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
             splat_center_y <= in_center_y;
@@ -8128,7 +8284,7 @@ module splat_splitter (
             splat_right <= in_right;
             splat_bottom <= in_bottom;
         end
-        if (out_queue_in_ready) begin
+        if (room) begin
             right_most <= open ? one_column : reaches_right;
             column <= open ? in_left[8:3] : right_most ? splat_left[8:3] : column_plus_1;
             left <= open ? in_left[2:0] : right_most ? splat_left[2:0] : 3'd0;
@@ -8146,6 +8302,7 @@ module splat_splitter (
             last_sum_not_half <= ~last_sum_choice_3[3];
             last_sum_not_negative <= ~last_sum_choice_3[4];
             last_sum_over_half <= last_sum_choice_3[3] & ~last_sum_choice_3[4];
+            first <= open;
         end
         if (turns) begin
             bottom_most <= open ? one_row : reaches_bottom;
@@ -8157,26 +8314,41 @@ module splat_splitter (
             first_difference_row_begins <= open ? first_difference_arrives : first_difference_row_begins_sum;
             last_difference_row_begins <= open ? last_difference_arrives : last_difference_row_begins_sum;
         end
-        first <= ready | (first & ~push);
     end
 
     wire _unused = &{
         1'b0, first_difference_arrives_either_2[11], first_sum_arrives_either_2[11],
         last_difference_arrives_either_2[11], last_sum[4], last_sum_arrives_either_2[11],
-        occupied_difference_3[0], occupied_sum_2[0], out_queue_in_data_either_3[4:3],
-        out_queue_in_data_either_6[4:3]
+        out_queue_in_data_difference_3[0], out_queue_in_data_either_4[4:3], out_queue_in_data_either_7[4:3],
+        out_queue_in_data_sum_2[0], out_queue_in_ready
     };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        room_is_that_of_the_way_out: assert (room == out_queue_in_ready);
+        ready_while_open_and_room: assert ((ready == (room & open)) & (ready ^ closed));
+`else
+        if (!(room == out_queue_in_ready)) begin
+            $display("assertion failed: room_is_that_of_the_way_out in %m"); $stop;
+        end
+        if (!((ready == (room & open)) & (ready ^ closed))) begin
+            $display("assertion failed: ready_while_open_and_room in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // One item in a register, at half rate.
-// width = 691
-module stream_half_buffer_w691 (
+// width = 695
+module stream_half_buffer_w695 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [690:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [690:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [694:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [694:0] out_data
 );
     reg filled;
-    reg [690:0] item;
+    reg [694:0] item;
 
     assign in_ready = ~filled;
 
