@@ -52,7 +52,7 @@ const NAMED: [Named; 8] = [
     Named { name: "tiny", unit: Some("tiny"), workload: Workload::Frame("plane") },
     Named { name: "knn", unit: Some("search"), workload: Workload::Search { points: 100_000, neighbors: 10 } },
     Named { name: "points", unit: None, workload: Workload::Process { points: 20_000, neighbors: 10 } },
-    Named { name: "upsample", unit: None, workload: Workload::Search { points: 100_000, neighbors: 10 } },
+    Named { name: "upsample", unit: Some("upsample"), workload: Workload::Search { points: 100_000, neighbors: 10 } },
     Named { name: "tiny_knn", unit: Some("tiny_knn"), workload: Workload::Search { points: 500, neighbors: 8 } },
 ];
 
