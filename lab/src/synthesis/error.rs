@@ -38,6 +38,12 @@ pub enum SynthesisError {
         /// What the last router said.
         divergence: Divergence,
     },
+    /// A target for which nothing is placed.
+    #[error("nothing is placed for `{target}`: late paths are those of `ecp5` or `ice40`")]
+    NotPlaced {
+        /// The target.
+        target: &'static str,
+    },
     /// A tool's report could not be read.
     #[error("the tools' report on `{unit}` is not as expected: {problem}")]
     Report {

@@ -7,6 +7,7 @@ mod cells;
 mod convergence;
 mod document;
 mod error;
+mod late;
 mod record;
 mod revision;
 mod samples;
@@ -20,9 +21,10 @@ mod units;
 pub use area::DeviceArea;
 pub use convergence::{Divergence, Iteration};
 pub use error::SynthesisError;
+pub use late::{LatePath, LatePaths};
 pub use record::{AreaEntry, AreaRecord, Stale};
 pub use revision::Revision;
-pub use steps::{State, Step, StepListener};
+pub use steps::{State, Step, StepListener, Work};
 pub(crate) use table::markdown;
 pub use table::{AreaLine, Style, table};
 pub use target::Target;
@@ -87,20 +89,47 @@ impl Synthesizer {
         progress: StepListener<'_>,
     ) -> Result<Measurement, SynthesisError> {
         let name = &unit.name;
-        let synthesis = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
+        let synthesis = watched(name, Work::Synthesis, progress, || self.synthesize(name, &design(unit)?))?;
         let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
         let area = cells::parse(self.target, &read(&synthesis.0.join(CELLS))?).map_err(report)?;
         let (first_seed, mut runs) = (*seeds.start(), Vec::new());
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
-                let run = || self.route(unit, device, router, &synthesis, seed, progress);
-                watched(name, Some(seed), progress, run)
+                let route = || self.route(&Run { unit, device, router, seed }, &synthesis, progress);
+                watched(name, Work::PlaceAndRoute(seed), progress, route)
             };
             runs = seeds.into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
         }
         let fmax_mhz = runs.iter().map(|run: &Timing| run.fmax_mhz).collect();
         Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz, first_seed })
+    }
+
+    /// Places a unit with a seed, and lists the paths that take longer than `limit_ns` by usual wires.
+    ///
+    /// # Errors
+    /// A target that is not placed, a tool's failure, or a unit that the device cannot hold.
+    pub fn late_paths(
+        &self,
+        unit: &MeasuredUnit,
+        seed: u32,
+        limit_ns: f64,
+        progress: StepListener<'_>,
+    ) -> Result<LatePaths, SynthesisError> {
+        let name = &unit.name;
+        let Some((device, router)) = &self.router else {
+            return Err(SynthesisError::NotPlaced { target: self.target.name() });
+        };
+        let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
+        let synthesis = watched(name, Work::Synthesis, progress, || self.synthesize(name, &design(unit)?))?;
+        check_capacity(name, device, &cells::parse(self.target, &read(&synthesis.0.join(CELLS))?).map_err(report)?)?;
+        let run = Run { unit, device, router, seed };
+        let estimate = || {
+            let placed = self.step(&run, &synthesis, NETLIST, PLACE)?;
+            self.step(&run, &placed, PLACED, ESTIMATE)
+        };
+        let delays = watched(name, Work::Placing(seed), progress, estimate)?.0.join(DELAYS);
+        late::paths(name, &read(&delays)?, limit_ns).map_err(report)
     }
 
     /// The technology.
@@ -131,54 +160,69 @@ impl Synthesizer {
     /// The clock of a unit with one seed. A core is placed and routed in two steps, each of which takes as long as many units.
     fn route(
         &self,
-        unit: &MeasuredUnit,
-        device: &Device,
-        router: &Tool,
+        run: &Run<'_>,
         synthesis: &(PathBuf, String),
-        seed: u32,
         progress: StepListener<'_>,
     ) -> Result<Timing, SynthesisError> {
         let begin = Instant::now();
-        let arguments: Vec<&str> = device.arguments(unit.scope).collect();
-        let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
-            let text = seed.to_string();
-            let parts = [start_key.as_str(), &router.description, &text];
-            let key = key(parts.into_iter().chain(arguments.iter().chain(options).copied()));
-            let entry = self.cache.entry(&key, |content| {
-                let copy = content.join(netlist);
-                if options == ROUTE_OTHERWISE {
-                    write(&copy, &with_other_router(&read(&start.join(netlist))?))?;
-                } else {
-                    fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
-                }
-                let files = ["--seed", &text, "--json", netlist, "--report", TIMING, "--log", ROUTING];
-                let arguments = [&["-q", "--timing-allow-fail"], &files[..], &arguments, options].concat();
-                let log = content.join(ROUTING);
-                let diverges = || convergence::divergence(&fs::read_to_string(&log).unwrap_or_default());
-                if let Ending::Stopped(divergence) = router.run_while(&unit.name, content, &arguments, diverges)? {
-                    return Err(SynthesisError::Unroutable { unit: unit.name.clone(), seed, divergence });
-                }
-                Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
-            })?;
-            Ok::<_, SynthesisError>((entry, key))
-        };
-        let routed = match unit.scope {
-            Scope::Unit => run(synthesis, NETLIST, &[]),
+        let name = &run.unit.name;
+        let routed = match run.unit.scope {
+            Scope::Unit => self.step(run, synthesis, NETLIST, &[]),
             Scope::Core(_) => {
-                let placed = run(synthesis, NETLIST, PLACE)?;
-                match run(&placed, PLACED, ROUTE) {
+                let placed = self.step(run, synthesis, NETLIST, PLACE)?;
+                match self.step(run, &placed, PLACED, ROUTE) {
                     Err(SynthesisError::Unroutable { divergence, .. }) => {
                         let state = State::Diverged(divergence);
-                        progress(&Step { unit: &unit.name, seed: Some(seed), duration: begin.elapsed(), state });
-                        run(&placed, PLACED, ROUTE_OTHERWISE)
+                        let work = Work::PlaceAndRoute(run.seed);
+                        progress(&Step { unit: name, work, duration: begin.elapsed(), state });
+                        self.step(run, &placed, PLACED, ROUTE_OTHERWISE)
                     }
                     result => result,
                 }
             }
         };
         timing::parse(&read(&routed?.0.join(TIMING))?)
-            .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
+            .map_err(|problem| SynthesisError::Report { unit: name.clone(), problem })
     }
+
+    /// The cache entry of a step of place and route, and its key; the netlist is that of the step before.
+    fn step(
+        &self,
+        Run { unit, device, router, seed }: &Run<'_>,
+        (start, start_key): &(PathBuf, String),
+        netlist: &str,
+        options: &[&str],
+    ) -> Result<(PathBuf, String), SynthesisError> {
+        let arguments: Vec<&str> = device.arguments(unit.scope).collect();
+        let text = seed.to_string();
+        let parts = [start_key.as_str(), &router.description, &text];
+        let key = key(parts.into_iter().chain(arguments.iter().chain(options).copied()));
+        let entry = self.cache.entry(&key, |content| {
+            let copy = content.join(netlist);
+            if options == ROUTE_OTHERWISE {
+                write(&copy, &with_other_router(&read(&start.join(netlist))?))?;
+            } else {
+                fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
+            }
+            let files = ["--seed", &text, "--json", netlist, "--report", TIMING, "--log", ROUTING];
+            let arguments = [&["-q", "--timing-allow-fail"], &files[..], &arguments, options].concat();
+            let log = content.join(ROUTING);
+            let diverges = || convergence::divergence(&fs::read_to_string(&log).unwrap_or_default());
+            if let Ending::Stopped(divergence) = router.run_while(&unit.name, content, &arguments, diverges)? {
+                return Err(SynthesisError::Unroutable { unit: unit.name.clone(), seed: *seed, divergence });
+            }
+            Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
+        })?;
+        Ok((entry, key))
+    }
+}
+
+/// What is placed and routed, and how.
+struct Run<'a> {
+    unit: &'a MeasuredUnit,
+    device: &'a Device,
+    router: &'a Tool,
+    seed: u32,
 }
 
 /// A placed design that is to be routed by nextpnr's other router: what it says of its router outweighs the argument.
@@ -220,7 +264,11 @@ const PLACED: &str = "placed.json";
 const PLACE: &[&str] = &["--no-route", "--write", PLACED];
 /// See there.
 const ROUTE: &[&str] = &["--no-pack", "--no-place"];
-/// See there: where the usual router gets nowhere.
+/// What says how long all wires of a placed design may take.
+const ESTIMATE: &[&str] = &["--no-pack", "--no-place", "--no-route", "--sdf", DELAYS];
+/// See there.
+const DELAYS: &str = "delays.sdf";
+/// As [`ROUTE`]: where the usual router gets nowhere.
 const ROUTE_OTHERWISE: &[&str] = &["--no-pack", "--no-place", "--router", "router2"];
 /// How a placed design names its router.
 const USUAL_ROUTER: &str = r#""router": "router1""#;

@@ -12,12 +12,23 @@ const TICK: Duration = Duration::from_secs(1);
 pub struct Step<'a> {
     /// On what.
     pub unit: &'a str,
-    /// The seed of place and route; none for synthesis.
-    pub seed: Option<u32>,
+    /// What is done.
+    pub work: Work,
     /// How long it took, or has taken; short if its result was kept.
     pub duration: Duration,
     /// Whether it has ended.
     pub state: State,
+}
+
+/// What a step does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Work {
+    /// Cells of a unit.
+    Synthesis,
+    /// Their places, with a seed.
+    Placing(u32),
+    /// Places and wires, with a seed.
+    PlaceAndRoute(u32),
 }
 
 /// Whether a step has ended.
@@ -37,12 +48,12 @@ pub type StepListener<'a> = &'a (dyn Fn(&Step<'_>) + Sync);
 /// Runs a step, and has the progress told of it.
 pub(super) fn watched<T, E>(
     unit: &str,
-    seed: Option<u32>,
+    work: Work,
     progress: StepListener<'_>,
     run: impl FnOnce() -> Result<T, E>,
 ) -> Result<T, E> {
     let begin = Instant::now();
-    let tell = |state| progress(&Step { unit, seed, duration: begin.elapsed(), state });
+    let tell = |state| progress(&Step { unit, work, duration: begin.elapsed(), state });
     let (end, ended) = mpsc::channel::<()>();
     let result = thread::scope(|scope| {
         scope.spawn(move || {
@@ -66,13 +77,16 @@ mod tests {
     #[test]
     fn a_long_step_is_told_of_until_its_end_and_a_failed_one_has_none() {
         let heard = Mutex::new(Vec::new());
-        let progress = |step: &Step<'_>| heard.lock().expect("no step panics").push((step.seed, step.state));
-        let slow = watched("unit", Some(1), &progress, || {
+        let progress = |step: &Step<'_>| heard.lock().expect("no step panics").push((step.work, step.state));
+        let slow = watched("unit", Work::Placing(1), &progress, || {
             thread::sleep(TICK * 3 / 2);
             Ok::<_, ()>(7)
         });
         assert_eq!(slow, Ok(7));
-        assert_eq!(watched("unit", None, &progress, || Err::<(), _>("broken")), Err("broken"));
-        assert_eq!(*heard.lock().expect("no step panics"), [(Some(1), State::Running), (Some(1), State::Done)]);
+        assert_eq!(watched("unit", Work::Synthesis, &progress, || Err::<(), _>("broken")), Err("broken"));
+        assert_eq!(
+            *heard.lock().expect("no step panics"),
+            [State::Running, State::Done].map(|state| (Work::Placing(1), state))
+        );
     }
 }

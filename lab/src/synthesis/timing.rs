@@ -88,7 +88,7 @@ const CELL_MARKS: [&str; 11] = [
 
 /// The signal that a cell or wire is named for, with the instances it lies in; of the shell's own, marked as such. None if the tools
 /// made up its name.
-fn signal(cell: &str) -> Option<String> {
+pub(super) fn signal(cell: &str) -> Option<String> {
     let end = CELL_MARKS.iter().filter_map(|mark| cell.find(mark)).min().unwrap_or(cell.len());
     let mut name = cell[..end].split('[').next()?;
     // A memory's cell is named by column and row; no name of ours begins with a digit.

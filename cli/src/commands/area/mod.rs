@@ -38,6 +38,11 @@ pub struct Arguments {
     /// Tools that run at a time.
     #[arg(long, default_value_t = 1, value_parser = numbers::within(1_u16..=256, "1 to 256 at a time"))]
     jobs: u16,
+    /// Place only, with the first seed, and list the paths that take longer than this many ns where every wire takes what is usual for its
+    /// fan-out: what the structure costs, before anything is routed and wherever the placer put what.
+    #[arg(long, value_name = "NS", value_parser = numbers::positive(),
+        conflicts_with_all = ["seeds", "markdown", "merge", "record", "tables", "recorded", "mark_stale", "check"])]
+    late: Option<f64>,
     /// Print the table in Markdown.
     #[arg(long)]
     markdown: bool,
@@ -146,6 +151,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         let problem = "--tables needs the record that they are made from: expected --record or --check FILE";
         return Err(Failure::Usage(problem.to_owned()));
     }
+    if let Some(limit_ns) = arguments.late {
+        return late(arguments, limit_ns, output);
+    }
     if let (Some(revision), Some(path)) = (&arguments.mark_stale, &arguments.record) {
         record::mark_stale(path, revision, output)?;
     } else if !arguments.recorded {
@@ -157,6 +165,18 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         (Some(path), Some(tables)) => record::write_tables(path, tables),
         _ => Ok(()),
     }
+}
+
+/// Lists what is late in units, one after the other.
+fn late(arguments: &Arguments, limit_ns: f64, output: Output) -> Result<(), Failure> {
+    let synthesizer = Synthesizer::new(arguments.target)?;
+    let display = Display::default();
+    let of_unit = |Named { unit, .. }: Named| {
+        Ok(synthesizer.late_paths(&unit, arguments.first_seed, limit_ns, &|step| display.show(step))?)
+    };
+    let units: Vec<_> = units(&arguments.units)?.into_iter().map(of_unit).collect::<Result<_, Failure>>()?;
+    let texts: Vec<_> = units.iter().map(ToString::to_string).collect();
+    output.print(&units, &texts.join("\n\n"))
 }
 
 fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {

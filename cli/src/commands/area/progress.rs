@@ -2,7 +2,7 @@
 
 use indicatif::{MultiProgress, ProgressBar};
 use pointcore_lab::note;
-use pointcore_lab::synthesis::{State, Step};
+use pointcore_lab::synthesis::{State, Step, Work};
 use std::collections::HashMap;
 use std::io::IsTerminal;
 use std::sync::Mutex;
@@ -17,7 +17,7 @@ const TURN: Duration = Duration::from_millis(100);
 #[derive(Default)]
 pub struct Display {
     spinners: MultiProgress,
-    running: Mutex<HashMap<(String, Option<u32>), ProgressBar>>,
+    running: Mutex<HashMap<(String, Work), ProgressBar>>,
 }
 
 /// 75 s, or 12:05 min.
@@ -30,19 +30,27 @@ fn time(duration: Duration) -> String {
     }
 }
 
-fn under_way(seed: Option<u32>) -> String {
-    seed.map_or_else(|| "synthesis".to_owned(), |seed| format!("place and route with seed {seed}"))
+fn under_way(work: Work) -> String {
+    match work {
+        Work::Synthesis => "synthesis".to_owned(),
+        Work::Placing(seed) => format!("placing with seed {seed}"),
+        Work::PlaceAndRoute(seed) => format!("place and route with seed {seed}"),
+    }
 }
 
-fn done(seed: Option<u32>) -> String {
-    seed.map_or_else(|| "synthesized".to_owned(), |seed| format!("placed and routed with seed {seed}"))
+fn done(work: Work) -> String {
+    match work {
+        Work::Synthesis => "synthesized".to_owned(),
+        Work::Placing(seed) => format!("placed with seed {seed}"),
+        Work::PlaceAndRoute(seed) => format!("placed and routed with seed {seed}"),
+    }
 }
 
 impl Display {
     /// Shows a step.
     pub fn show(&self, step: &Step<'_>) {
-        let Step { unit, seed, duration, state } = *step;
-        let key = (unit.to_owned(), seed);
+        let Step { unit, work, duration, state } = *step;
+        let key = (unit.to_owned(), work);
         let mut running = self.running.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         match state {
             State::Running if std::io::stderr().is_terminal() => {
@@ -52,22 +60,22 @@ impl Display {
                     spinner
                 };
                 let spinner = running.entry(key).or_insert_with(spinner);
-                spinner.set_message(format!("{unit}: {} for {}", under_way(seed), time(duration)));
+                spinner.set_message(format!("{unit}: {} for {}", under_way(work), time(duration)));
             }
             State::Running if duration.as_secs() > 0 && duration.as_secs().is_multiple_of(LOG_SECONDS) => {
-                note!("{unit}: {} has run for {}", under_way(seed), time(duration));
+                note!("{unit}: {} has run for {}", under_way(work), time(duration));
             }
             State::Running => {}
             State::Diverged(divergence) => {
-                let note =
-                    || note!("{unit}: seed {}: {divergence}; stopped, the other router takes over", seed.unwrap_or(0));
+                let route = under_way(work);
+                let note = || note!("{unit}: {route}: {divergence}; stopped, the other router takes over");
                 self.spinners.suspend(note);
             }
             State::Done => {
                 if let Some(spinner) = running.remove(&key) {
                     spinner.finish_and_clear();
                 }
-                self.spinners.suspend(|| note!("{unit}: {} ({})", done(seed), time(duration)));
+                self.spinners.suspend(|| note!("{unit}: {} ({})", done(work), time(duration)));
             }
         }
     }
