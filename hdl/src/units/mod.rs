@@ -7,6 +7,7 @@ pub(crate) mod passage;
 pub(crate) mod ports;
 pub(crate) mod queue;
 pub(crate) mod sliced;
+pub(crate) mod twins;
 pub(crate) mod values;
 pub(crate) mod wires;
 

@@ -2,6 +2,7 @@
 
 use super::passage::Passage;
 use super::ports::Flow;
+use super::twins::next_twins;
 use super::wires::{Bundle, Wired};
 use pointcore_contract::Record;
 use rtl::{Expr, Module, Reg, Wire};
@@ -65,8 +66,6 @@ impl<B: Bundle> Head<B> {
         let empty = m.reg_reset("head_empty", 1, 1);
         m.drive(self.takes, empty);
         let holds = self.valid.mux(!leaves.into(), self.arrives);
-        m.next(self.valid, holds);
-        m.next(empty, !holds);
-        m.assert("head_empty_or_valid", self.valid ^ empty);
+        next_twins(m, "head_empty_or_valid", [self.valid, empty], holds);
     }
 }

@@ -13,6 +13,7 @@ use pointcore_contract::splat::units::payloads::PORTS;
 
 use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::sliced::Sliced;
+use crate::units::twins::next_twins;
 use crate::units::wires::Bundle;
 use places::Places;
 use rtl::{Expr, Module, bit};
@@ -64,9 +65,7 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
         Some([complete, room]) => {
             let copy = copy.register(m, config, "complete_", !complete);
             let stays = leaves | (complete & !out_room);
-            m.next(complete, stays);
-            m.next(room, !stays);
-            m.assert("complete_or_room", complete ^ room);
+            next_twins(m, "complete_or_room", [complete, room], stays);
             (copy, complete.expr())
         }
         None => (copy, leaves),

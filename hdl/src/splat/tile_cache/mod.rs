@@ -18,6 +18,7 @@ use pointcore_contract::splat::units::tile_cache::PORTS;
 use super::parts::share;
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Head;
+use crate::units::twins::next_twins;
 use crate::units::wires::Wires;
 use directory::{Changes, Directory, Lookup};
 use leaving::{Gone, Leaving, Surroundings};
@@ -101,9 +102,7 @@ fn follow_job(
     let done = m.wire("done", state.moving & (has_left & (state.all_came() & (!state.filling & may_go))));
 
     let start = m.wire("job_starts", placement.start | placement.vacate);
-    m.next(state.looking, start);
-    m.next(state.looks_not, !start);
-    m.assert("it_looks_or_not", state.looking ^ state.looks_not);
+    next_twins(m, "it_looks_or_not", [state.looking, state.looks_not], start);
     m.next(state.changed, change);
     m.next(state.keeps, change & state.goes);
     m.next(state.keeps_none, !(change & state.goes));

@@ -11,6 +11,7 @@ use super::state::{State, is_in};
 use crate::stream::fifo_distributed;
 use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Pushed;
+use crate::units::twins::next_twins;
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module, Reg, lit};
 
@@ -96,9 +97,7 @@ fn take(
 
     let fill = beat & !run.leaves;
     let waits = fill | (state.filling & !fills);
-    m.next(state.filling, waits);
-    m.next(state.fills_none, !waits);
-    m.assert("fills_or_none", state.filling ^ state.fills_none);
+    next_twins(m, "fills_or_none", [state.filling, state.fills_none], waits);
     m.next_if(fill_pixel, is_free, place);
     let value = data.record.register(m, config, "fill_", is_free);
     let filled = SlotPixel { slot: *state.slot, pixel: *fill_pixel };
