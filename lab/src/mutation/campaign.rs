@@ -142,6 +142,14 @@ pub enum Scope {
     Changed(MutationRecord),
 }
 
+impl Scope {
+    /// A score that need not be found anew.
+    fn known(&self, name: &str, source: &str) -> Option<&Score> {
+        let Self::Changed(record) = self else { return None };
+        record.score(name).filter(|score| score.source == source)
+    }
+}
+
 /// The tools, and how they are used.
 #[derive(Clone, Debug)]
 pub struct Campaign {
@@ -169,9 +177,7 @@ impl Campaign {
         progress: &(dyn Fn(Event) + Sync),
     ) -> Result<Score, MutationError> {
         let source = key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned();
-        if let Scope::Changed(record) = &self.scope
-            && let Some(score) = record.score(name).filter(|score| score.source == source)
-        {
+        if let Some(score) = self.scope.known(name, &source) {
             return Ok(score.clone());
         }
         let mutants = self.mutants(subjects, folder)?;
@@ -261,5 +267,22 @@ impl Campaign {
             mutants.extend(numbered.map(|(number, mutation)| Mutant { subject, number, mutation }));
         }
         Ok(mutants)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_did_not_change_is_not_tried_again() {
+        let score =
+            Score { name: "float".into(), mutants: 9, found: 9, equivalent: 0, missed: vec![], source: "a".into() };
+        let mut record = MutationRecord::default();
+        record.insert(score.clone());
+        let changed = Scope::Changed(record.clone());
+        assert_eq!(changed.known("float", "a"), Some(&score));
+        assert_eq!([changed.known("float", "b"), changed.known("memory", "a")], [None, None]);
+        assert_eq!([Scope::All, Scope::Missed(record)].map(|scope| scope.known("float", "a").cloned()), [None, None]);
     }
 }

@@ -1,7 +1,7 @@
 //! Late paths of a placed design, where every wire takes what is usual for its fan-out: what the structure costs, wherever the placer put
 //! what.
 //!
-//! nextpnr writes all delays as SDF. Of wires with as many loads, rounded to a power of two, each is given the median; one without a delay
+//! nextpnr writes all delays as SDF. Of wires with as many loads, rounded down to a power of two, each is given the median; one without a delay
 //! is none, as inside a carry chain. Paths begin at clock pins, and end where nothing leads on.
 
 use super::timing::signal;
@@ -37,7 +37,7 @@ pub struct LatePaths {
     pub ends: usize,
     /// Those that are reached late.
     pub late: usize,
-    /// What a wire takes in ns with so many loads, to the next power of two.
+    /// What a wire takes in ns with so many loads or more, below twice as many.
     pub wires: Vec<(usize, f64)>,
     /// By kind, the latest first.
     pub paths: Vec<LatePath>,
