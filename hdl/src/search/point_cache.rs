@@ -3,7 +3,7 @@
 //!
 //! A lookup `l` sends a leaf either to `run`, which reads it from its slot, or to the memory; `r` and `s` hold the beats on their
 //! way out: it is late in its cycle that a block RAM shows what it has read, so that goes into a register, `s`, first. What `l`
-//! has read of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
+//! has found of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
 
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Beat, BeatPlace, Fetch, Points};
@@ -13,7 +13,8 @@ use pointcore_contract::{record, width};
 
 use super::parts::sets::{contains, decode};
 use crate::stream::skid;
-use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts};
+use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts, held};
+use crate::units::twins::next_twins;
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Memory, Module, Reg, bit, cat, lit};
 
@@ -132,7 +133,7 @@ impl Fill {
         let points = m.memory_unordered("points", slots * slot_beats(config), width::<Points>(config));
         m.write(points, store, word_of(config, slot, *count), item.pack(config));
         let begins = store & !under_way;
-        let tags = m.memory("tags", slots, address.width());
+        let tags = m.memory_distributed("tags", slots, address.width());
         m.write(tags, begins, slot, address);
         // What happens to a slot is known late in a cycle, so it is told of in the next one.
         let [began, complete] = ["began", "complete"].map(|name| m.reg_reset(name, 1, 0));
@@ -183,7 +184,9 @@ pub fn module(config: &Config) -> Module {
     let beat = PORTS.beat.queue(&mut m, config);
     let fill = Fill::new(&mut m, config);
 
-    let [advance_l, advance_r, enter] = ["advance_l", "advance_r", "enter"].map(|name| m.forward(name, 1));
+    // `advance_r` moves all of r; what comes to it hangs on other registers.
+    let [advance_l, advance_r, flows, enter] =
+        ["advance_l", "advance_r", "flows", "enter"].map(|name| m.forward(name, 1));
     m.drive(fetch.ready, advance_l);
     let l = Leaf::new(&mut m, config, "l", *advance_l, fetch.record);
     let run = Leaf::new(&mut m, config, "run", *enter, l.request);
@@ -193,15 +196,16 @@ pub fn module(config: &Config) -> Module {
     let in_head = fetch.valid & fetch_slot.eq(fill_slot);
     let may_keep = m.wire("may_keep", !(in_lookup | in_head));
     let runs = m.wire("runs", run.valid & !fill.under_way);
-    let stored = fill.store(&mut m, config, advance_r & !runs, may_keep);
+    let stored = fill.store(&mut m, config, flows & !runs, may_keep);
 
-    // A hit waits for the leaf that is read, a miss for the way to the memory. Whether a slot's points are there is found as its
-    // lookup begins; they may be complete later.
-    let tag = m.read_if(stored.tags, "tag", advance_l, fetch_slot);
+    // A hit waits for the leaf that is read, a miss for the way to the memory. Whether a slot's points are there, and whether they are
+    // those of the leaf, is found as its lookup begins; they may be complete later.
+    let tag = m.read_now(stored.tags, "tag", fetch_slot);
+    let is_its = held(&mut m, "l_is_its", *advance_l, tag.eq(fetch.record.fetch.address));
     let is_present = m.reg("l_present", 1);
     let [found, completes] = [stored.is_present(fetch_slot), stored.completes(l.request.slot)];
     m.next(is_present, advance_l.mux(found, is_present | completes));
-    let hit = m.wire("hit", is_present & tag.eq(l.request.fetch.address));
+    let hit = m.wire("hit", is_present & is_its);
     let hits = m.wire("hits", l.valid & (hit & !run.valid));
     let misses = m.wire("misses", l.valid & (!hit & miss.room));
     m.drive(advance_l, !l.valid | (hits | misses));
@@ -212,16 +216,20 @@ pub fn module(config: &Config) -> Module {
     // Beats of the leaf that is read, or of the one that comes.
     let run_count = m.reg_reset("run_count", config.beats_bits(), 0);
     let run_last = m.wire("run_last", is_last(config, run_count.add_lit(1).eq(run.request.fetch.beats)));
-    let step = m.wire("run_step", advance_r & runs);
+    let step = m.wire("run_step", flows & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
     m.next(run.valid, hits | (run.valid & !(step & run_last)));
     // Never in a cycle in which one is stored: what is written need not be told from what is read.
     let read = m.read_if(stored.points, "read", step, word_of(config, run.request.slot, *run_count));
 
     let [r_valid, s_valid] = ["r_valid", "s_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let [r_empty, s_empty] = ["r_empty", "s_empty"].map(|name| m.reg_reset(name, 1, 1));
     let advance_s = m.wire("advance_s", !s_valid | beat.room);
     m.drive(advance_r, !r_valid | advance_s);
-    m.next_if(r_valid, advance_r, runs | fill.head.valid);
+    m.drive(flows, r_empty | (s_empty | beat.room));
+    let r_next = advance_r.mux(runs | fill.head.valid, r_valid);
+    next_twins(&mut m, "r_valid_or_empty", [r_valid, r_empty], r_next);
+    next_twins(&mut m, "s_valid_or_empty", [s_valid, s_empty], advance_s.mux(r_valid, s_valid));
     let r_read = m.reg("r_read", 1);
     m.next_if(r_read, advance_r, runs);
     let Fetch { thread, address: base, .. } = run.request.fetch;
@@ -230,7 +238,6 @@ pub fn module(config: &Config) -> Module {
     let next = Beat { place: BeatPlace::choose(config, runs, running, place), points: filling };
     let r = next.register(&mut m, config, "r_", advance_r);
     let points = Points::choose(config, r_read, Points::unpack(config, read), r.points);
-    m.next_if(s_valid, advance_s, r_valid);
     let s = Beat { place: r.place, points }.register(&mut m, config, "s_", advance_s);
     beat.push(&mut m, config, s_valid & advance_s, s);
 

@@ -12,6 +12,7 @@ use super::parts::sets::set;
 use crate::stream::fifo;
 use crate::units::passage::Passage;
 use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
+use crate::units::twins::next_twins;
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module};
 
@@ -35,16 +36,19 @@ pub fn module(config: &Config) -> Module {
     let kept = Passage::<Candidates>::place(&mut m, "kept_queue", queue);
     let room = kept.room(&mut m);
 
-    // s1: the radius is there; s2: it is known whether a lane is nearer.
+    // s1: the radius is there; s2: it is known whether a lane is nearer. `decides` moves all of s2; s1 and the queue before it hang on
+    // another register.
     let decides = m.forward("decides", 1);
+    let decides_early = m.forward("decides_early", 1);
     let s1_valid = m.reg_reset("s1_valid", 1, 0);
-    let advance = m.wire("advance", !s1_valid | decides);
+    let advance = m.wire("advance", !s1_valid | decides_early);
     m.next_if(s1_valid, advance, head.valid);
     let s1 = head.record.register(&mut m, config, "s1_", advance);
     let radius2 = radii(&mut m, config, [start.into(), radius.into()], advance, head.record.place.thread.thread);
     m.drive(head.ready, advance);
     let s2_valid = m.reg_reset("s2_valid", 1, 0);
-    m.next_if(s2_valid, decides, s1_valid);
+    let s2_empty = m.reg_reset("s2_empty", 1, 1);
+    next_twins(&mut m, "s2_valid_or_empty", [s2_valid, s2_empty], decides.mux(s1_valid, s2_valid));
     let s2_survives = m.reg("s2_survives", 1);
     m.next_if(s2_survives, decides, survives(config, &s1, radius2));
     let s2 = s1.register(&mut m, config, "s2_", decides);
@@ -58,6 +62,8 @@ pub fn module(config: &Config) -> Module {
     let leaves = m.wire("leaves", displaced & room);
     let proceeds = m.wire("proceeds", !displaced | room);
     m.drive(decides, !s2_valid | proceeds);
+    m.drive(decides_early, s2_empty | (!(held_valid & (held_last | s2_survives)) | room));
+    m.assert("decides_as_early", decides.eq(decides_early));
 
     let keep = m.wire("keep", near & proceeds);
     let last = s2.place.last;

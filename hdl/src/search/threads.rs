@@ -48,13 +48,15 @@ pub fn module(config: &Config) -> Module {
     let [busy, waiting, exhausted, wants_pop, wants_finish] =
         ["busy", "waiting", "exhausted", "wants_pop", "wants_finish"].map(|name| m.reg_reset(name, threads, 0));
 
-    // A query goes to the lowest free thread, whose descent begins at the root a cycle later.
+    // A query goes to the lowest free thread, whose descent begins at the root a cycle later. Whether there is one is told before
+    // it is known which.
+    let any_free = m.reg_reset("any_free", 1, 1);
     let free = m.wire("free", lowest(!busy));
     let take = m.wire("take", query.transfer());
     let thread = Thread { thread: index_of(free, config.thread_bits()) };
     let start = PORTS.start.registered(&mut m, config, take, Start { thread, query: query.record });
     let descend = PORTS.descend.queue(&mut m, config);
-    m.drive(query.ready, (free.any() & !start.valid) & descend.room);
+    m.drive(query.ready, (any_free & !start.valid) & descend.room);
     let root = lit(config.node_bits(), 1);
     descend.push(&mut m, config, start.valid, Descent { thread: start.record.thread, node: root });
 
@@ -83,7 +85,10 @@ pub fn module(config: &Config) -> Module {
 
     let kept = m.wire("kept", !released);
     let taken = free & take.repeat(threads);
-    m.next(busy, (busy | taken) & kept);
+    let busy_next = m.wire("busy_next", (busy | taken) & kept);
+    m.next(busy, busy_next);
+    m.next(any_free, !busy_next.all());
+    m.assert("a_free_thread_is_told", any_free.eq(!busy.all()));
     let exhausted_now = m.wire("exhausted_now", exhausted | empty);
     m.next(exhausted, exhausted_now & kept);
     m.next(waiting, ((waiting & !leaf_ended) | (reached & !below)) & kept);
@@ -91,6 +96,6 @@ pub fn module(config: &Config) -> Module {
     m.next(wants_pop, ((wants_pop & !popped) | pop_wishes) & kept);
     let finish_wishes = (empty | leaf_ended) & (exhausted_now & none);
     m.next(wants_finish, ((wants_finish & !finished) | finish_wishes) & kept);
-    PORTS.event_thread_wait.event(&mut m, query.valid & busy.all());
+    PORTS.event_thread_wait.event(&mut m, query.valid & !any_free);
     m
 }

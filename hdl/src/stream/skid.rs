@@ -5,6 +5,7 @@
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
 use super::item_width;
+use crate::units::twins::next_twins;
 use rtl::Module;
 
 /// A queue of two items in registers.
@@ -17,19 +18,21 @@ pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let item = input.data;
 
     let head_filled = m.reg_reset("head_filled", 1, 0);
+    // Whether the second place is filled moves what may be hundreds of flip-flops; whoever gives asks the inverse.
     let second_filled = m.reg_reset("second_filled", 1, 0);
+    let room = m.reg_reset("room", 1, 1);
     let head = m.reg("head", width);
     let second = m.reg("second", width);
 
     let out_ready = m.packed_out("out", head_filled, head, layout);
-    m.drive(input.ready, !second_filled);
+    m.drive(input.ready, room);
 
     // The head is free or leaves: the second item, or else the one that comes in, takes its place.
     let advance = m.wire("advance", !head_filled | out_ready);
     let some_item = m.wire("some_item", second_filled | input.valid);
-    m.next(head_filled, advance.mux(some_item, head_filled));
+    m.next_if(head_filled, advance, some_item);
     m.next_if(head, advance, second_filled.mux(second, item));
-    m.next(second_filled, !advance & some_item);
+    next_twins(&mut m, "second_filled_or_room", [second_filled, room], !advance & some_item);
     m.next_if(second, !second_filled, item);
     m.assert("second_waits_behind_head", head_filled | !second_filled);
     m

@@ -23,7 +23,7 @@ use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, Strea
 use crate::units::wires::{Bundle, Wires};
 use readout::{Readout, Rows, Whose};
 use row::{Entry, entries, initial, insert, placeholders, row, row_bits, sentinels};
-use rtl::{Expr, Module, Reg, Wire, bit};
+use rtl::{Expr, Module, Reg, Wire, bit, lit};
 use tokens::{Beat, Candidate, Choice, Insertion, Item, near_lanes};
 
 /// Beats that wait.
@@ -66,6 +66,28 @@ struct Arrival {
     /// The squared radius of its thread's last leaf as it came in.
     #[bits(config.square_bits())]
     limit: u32,
+    /// It is of the thread of the beat before it.
+    follows: bool,
+    /// It is of the thread of the beat before that one.
+    follows_second: bool,
+}
+
+impl Arrival<Wires> {
+    /// A beat that comes in where `comes` is set. Of which threads those before it were is compared here, for behind the queue it is
+    /// asked late in a cycle.
+    fn new(m: &mut Module, config: &Config, comes: Expr, candidates: Candidates<Wires>, limit: Expr) -> Self {
+        let thread = candidates.place.thread.thread;
+        let mut before = (bit(true), thread);
+        let [follows, follows_second] = ["last", "second_last"].map(|name| {
+            let is_known = m.reg_reset(&format!("{name}_known"), 1, 0);
+            let its_thread = m.reg(&format!("{name}_thread"), config.thread_bits());
+            m.next_if(is_known, comes, before.0);
+            m.next_if(its_thread, comes, before.1);
+            before = (is_known.expr(), its_thread.expr());
+            is_known & its_thread.eq(thread)
+        });
+        Self { candidates, limit, follows, follows_second }
+    }
 }
 
 /// The working row and whose it is.
@@ -138,23 +160,27 @@ impl Stages<'_> {
     /// whether the beat is taken, and whether its row is to be read then.
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
         let Self { arrivals, beat, item, working, .. } = self;
-        let head_thread = arrivals.head.candidates.place.thread.thread;
-        let tail = m.wire("tail", item.valid.mux(item.thread, working.owner));
-        let follows_tail = m.wire("follows_tail", (item.valid | working.owned) & tail.eq(head_thread));
-        let follows_beat = m.wire("follows_beat", self.thread().eq(head_thread));
-        let driven_out = beat.valid & (follows_tail & !follows_beat);
-        m.drive(free, !beat.valid | (fetch.moves & !choice.stays));
-        let take = m.wire("take", arrivals.holds & (free & !driven_out));
+        let Arrival { candidates, follows, follows_second, .. } = arrivals.head;
+        let head_thread = candidates.place.thread.thread;
+        let driven_out = m.wire("driven_out", beat.valid & ((follows_second & !follows) & !beat.began));
+        m.drive(free, !beat.valid | choice.record_ends);
+        let take = m.wire("take", arrivals.holds & ((!beat.valid | choice.ends) & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
         let is_fresh = m.wire("is_fresh", contains(working.fresh, head_thread));
-        let take_reads = beat.valid.mux(!follows_beat, !follows_tail | is_fresh);
+        let take_reads = !follows | (!beat.valid & is_fresh);
         m.next(beat.reads, take.mux(take_reads, beat.reads & fetch.waits));
+        m.next(beat.began, !take & (beat.began | fetch.moves));
+        let tail = item.valid.mux(item.thread, working.owner);
+        let follows_tail = (item.valid | working.owned) & tail.eq(head_thread);
+        let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
+        let second_told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
+        m.assert("whom_a_beat_follows_is_told", !arrivals.holds | (told & second_told));
         (take, take_reads)
     }
 
     /// a: pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
     fn arriving_lanes(&self, m: &mut Module, farthest: &Farthest, take_reads: Expr) -> Expr {
-        let Arrival { candidates, limit } = &self.arrivals.head;
+        let Arrival { candidates, limit, .. } = &self.arrivals.head;
         let is_farthest = farthest.thread.eq(candidates.place.thread.thread);
         let will_be_known = farthest.is_current & (is_farthest & !take_reads);
         let will_be_known = m.wire("farthest_will_be_known", will_be_known);
@@ -172,7 +198,7 @@ impl Stages<'_> {
     ) -> (Choice, Expr, Candidate) {
         let Self { config, beat, item, working, .. } = self;
         let thread = self.thread();
-        let choice = Choice::new(m, config, beat);
+        let choice = Choice::new(m, config, beat, fetch.moves);
         let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
         let near = near_lanes(config, &beat.record, &[(is_known, *farthest.distance)]);
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
@@ -180,8 +206,7 @@ impl Stages<'_> {
         m.next(item.reads, fetch.reads);
         m.next(item.stays, !fetch.reads);
         m.next(item.inserts, fetch.moves & choice.any);
-        let done = m.wire("done", fetch.moves & !choice.stays);
-        m.next(item.last, done & beat.record.place.last);
+        m.next(item.last, choice.ends & beat.record.place.last);
         m.next(item.fresh, contains(working.fresh, thread));
         m.next(item.thread, thread);
         let candidate = Candidate::register(m, config, choice.entry);
@@ -248,7 +273,7 @@ impl Stages<'_> {
         finished: Expr,
         inserted: &Inserted,
     ) -> Fetch {
-        let Self { config, working, beat, item, .. } = self;
+        let Self { config, working, beat, .. } = self;
         let has_others = config.threads > 1;
         let waits = m.wire("waits", if has_others { beat.reads & readout.reads } else { bit(false) });
         let moves = m.wire("moves", beat.valid & !waits);
@@ -256,8 +281,8 @@ impl Stages<'_> {
         let read_thread = m.wire("read_thread", readout.reads.mux(finished, self.thread()));
         let stored = has_others.then(|| {
             let rows = m.memory("rows", 1 << config.thread_bits(), row_bits(config));
-            let write_back = m.wire("write_back", item.reads & working.owned);
-            m.write(rows, write_back, working.owner, inserted.row);
+            // What its row is can be written in every cycle: it is read again when its thread no longer owns the working row.
+            m.write(rows, working.owned, working.owner, inserted.row);
             m.read(rows, "stored", read_thread)
         });
         let query = queries(m, config, start, read_thread);
@@ -274,6 +299,8 @@ pub fn module(config: &Config) -> Module {
     m.parameter("neighbors", config.neighbors);
     m.parameter("lanes", config.lanes);
     let start = PORTS.start.declare(&mut m, config);
+    let k = start.record.query.k;
+    m.assert("k_fits_a_row", !start.valid | (k.any() & lit(config.rank_bits(), config.neighbors.into()).ge(k)));
     let candidates = PORTS.candidates.declare(&mut m, config);
     let finish = PORTS.finish.queue(&mut m, config);
     let arrivals = HeadQueue::<Arrival<Wires>>::new(&mut m, config, "arrivals", BEATS);
@@ -296,15 +323,16 @@ pub fn module(config: &Config) -> Module {
     let (take, take_reads) = stages.arrive(&mut m, free, &fetch, &choice);
     let writers = [start.into(), inserted.radius.into()];
     let limit = radii_now(&mut m, config, writers, candidates.record.place.thread.thread);
-    let arriving = Arrival { candidates: candidates.record, limit };
-    arrivals.update(&mut m, config, candidates.transfer(), arriving, take);
+    let comes = candidates.transfer();
+    let arriving = Arrival::new(&mut m, config, comes, candidates.record, limit);
+    arrivals.update(&mut m, config, comes, arriving, take);
     let arriving_lanes = stages.arriving_lanes(&mut m, &farthest, take_reads);
-    m.next(beat.pending, take.mux(arriving_lanes, left));
+    beat.next_pending(&mut m, take.mux(arriving_lanes, left));
     stages.compare(&mut m, candidate, &fetch, &inserted);
 
     let rows = Rows { initial: fetch.initial, working: *working.row, stored: fetch.stored };
     readout.send(&mut m, config, &rows, &fetch.query);
-    PORTS.events.event(&mut m, config, |events| events.beat, fetch.moves & !choice.stays);
+    PORTS.events.event(&mut m, config, |events| events.beat, choice.ends);
     if config.lanes > 1 {
         PORTS.events.event(&mut m, config, |events| events.insert_wait, fetch.moves & choice.stays);
     }

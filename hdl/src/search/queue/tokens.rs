@@ -14,8 +14,12 @@ pub(super) struct Beat {
     pub valid: Reg,
     /// Its thread's row has to be read from memory.
     pub reads: Reg,
+    /// A candidate of it went on before.
+    pub began: Reg,
     /// Lanes that are to be chosen.
     pub pending: Reg,
+    /// The others, for who asks whether the beat stays: `pending` moves the record and chooses of it.
+    pub settled: Reg,
     pub record: Candidates<Wires>,
 }
 
@@ -25,9 +29,18 @@ impl Beat {
         Self {
             valid: m.reg_reset("beat_valid", 1, 0),
             reads: m.reg_reset("beat_reads", 1, 0),
+            began: m.reg_reset("beat_began", 1, 0),
             pending: m.reg("beat_pending", config.lanes),
+            settled: m.reg("beat_settled", config.lanes),
             record: head.register(m, config, "beat_", free),
         }
+    }
+
+    /// The lanes that are to be chosen from the next cycle on.
+    pub fn next_pending(&self, m: &mut Module, pending: Expr) {
+        m.next(self.pending, pending);
+        m.next(self.settled, !pending);
+        m.assert("pending_or_settled", !self.valid | (self.pending ^ self.settled).all());
     }
 }
 
@@ -36,7 +49,12 @@ pub(super) struct Choice {
     /// The pending lanes but for the one chosen.
     pub rest: Expr,
     pub any: Expr,
+    /// Another is left.
     pub stays: Expr,
+    /// The last one is chosen.
+    pub ends: Expr,
+    /// Likewise, for the beat's record, which is moved by it.
+    pub record_ends: Expr,
     pub entry: Entry<Wires>,
 }
 
@@ -51,8 +69,8 @@ pub(super) fn near_lanes(config: &Config, beat: &Candidates<Wires>, limits: &[(E
 }
 
 impl Choice {
-    /// Chooses among the pending lanes.
-    pub fn new(m: &mut Module, config: &Config, beat: &Beat) -> Self {
+    /// Chooses among the pending lanes; where the beat `moves`, the chosen one goes on.
+    pub fn new(m: &mut Module, config: &Config, beat: &Beat, moves: Expr) -> Self {
         let chosen = m.wire("chosen", lowest(beat.pending));
         let rest = m.wire("rest", beat.pending & !chosen);
         let distances = &beat.record.distances[..config.lanes as usize];
@@ -65,8 +83,10 @@ impl Choice {
             bits => cat([address, index_of(chosen, bits)]),
         };
         let entry = Entry { found: bit(true), neighbor: Neighbor { index, distance2 } };
-        let stays = m.wire("stays", beat.valid & several(beat.pending));
-        Self { any: beat.pending.any(), rest, stays, entry }
+        let stays = m.wire("stays", beat.valid & several(!beat.settled));
+        let ends = m.wire("ends", moves & !stays);
+        let record_ends = m.wire("record_ends", moves & !several(beat.pending));
+        Self { any: beat.pending.any(), rest, stays, ends, record_ends, entry }
     }
 }
 

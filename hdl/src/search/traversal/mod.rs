@@ -16,9 +16,10 @@ use pointcore_contract::search::units::traversal::PORTS;
 use super::parts::coordinates::coordinates;
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
+use crate::float::parts::shift::leading_zeros;
 use crate::units::operator::Placed;
 use crate::units::passage::Passage;
-use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, held};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::Bundle;
 use nodes::{Fetched, Nodes, Place, Token};
@@ -59,16 +60,15 @@ fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError
     compile(&program, &options.taken_at_once())
 }
 
+/// How far a node's leading one is from the top. The lowest bit, which is known last, is only looked at in the root, where it is one.
+fn leading_places(node: Expr) -> Expr {
+    leading_zeros(cat([node.bits(node.width() - 1, 1), bit(true)]))
+}
+
 /// The number of the first deepest leaf below a node (eq. 6.7): its address shifted up until the leading one is on top,
 /// without it.
-fn leaf_number(node: Expr) -> Expr {
-    let depth = node.width() - 1;
-    let steps = (0..=depth.ilog2()).rev().map(|exponent| 1_u32 << exponent);
-    let shifted = steps.fold(node, |node, step| {
-        let zeros = node.bits(depth, depth + 1 - step).is_zero();
-        zeros.mux(node << step, node)
-    });
-    shifted.trunc(depth)
+fn leaf_number(node: Expr, places: Expr) -> Expr {
+    node.shl_by(places).trunc(node.width() - 1)
 }
 
 /// On which side of a plane a query is: each coordinate is compared with each split, before it is known which of them count. In one
@@ -142,6 +142,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let nodes_room = nodes.room();
     let Fetched { entering, node, splits } = nodes.fetch(&mut m, config, *advance, *next_node, (wanted, &v));
     v.take(&mut m, config, *advance, &entering);
+    let v_places = held(&mut m, "v_places", *advance, leading_places(entering.descent.node));
     let point = coordinates(&mut m, config, start, *advance, entering.descent.thread.thread);
 
     // v: a leaf goes out, the children of another node are fetched, else a newcomer.
@@ -150,7 +151,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let reaches = m.wire("reaches", v.valid & at_leaf);
     let proceeds = m.wire("proceeds", nodes_room & (!reaches | leaf.room));
     m.drive(advance, accepts & proceeds);
-    leaf.push(&mut m, config, advance & reaches, LeafVisit { thread: v_thread, leaf: leaf_number(v_node) });
+    leaf.push(&mut m, config, advance & reaches, LeafVisit { thread: v_thread, leaf: leaf_number(v_node, v_places) });
     PORTS.event_node.event(&mut m, advance & v.valid);
     let descends = m.wire("descends", v.valid & !at_leaf);
     let resumes = m.wire("resumes", resume.valid & !descends);
