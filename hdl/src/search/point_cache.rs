@@ -11,7 +11,7 @@ use pointcore_contract::search::units::point_cache::PORTS;
 use pointcore_contract::splat::config::index_bits;
 use pointcore_contract::{record, width};
 
-use super::parts::sets::{contains, decode};
+use super::parts::sets::{contains, decode, set};
 use crate::stream::skid;
 use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts, held};
 use crate::units::twins::next_twins;
@@ -64,6 +64,14 @@ fn word_of(config: &Config, slot: Expr, count: Expr) -> Expr {
         0 => slot,
         bits => cat([slot, count.trunc(bits)]),
     }
+}
+
+/// Whether two words are the same, a bit for each eight of theirs: there is no time in the cycle to make it one.
+fn same_parts(one: Expr, other: Expr) -> Expr {
+    let width = one.width();
+    let part = |low: u32| [one, other].map(|word| word.bits(width.min(low + 8) - 1, low));
+    let parts: Vec<_> = (0..width).step_by(8).map(part).map(|[one, other]| one.eq(other)).collect();
+    set(&parts)
 }
 
 /// Requests in a queue of two that holds their slots as well: a slot is there when the head is.
@@ -201,7 +209,7 @@ pub fn module(config: &Config) -> Module {
     // A hit waits for the leaf that is read, a miss for the way to the memory. Whether a slot's points are there, and whether they are
     // those of the leaf, is found as its lookup begins; they may be complete later.
     let tag = m.read_now(stored.tags, "tag", fetch_slot);
-    let is_its = held(&mut m, "l_is_its", *advance_l, tag.eq(fetch.record.fetch.address));
+    let is_its = held(&mut m, "l_same", *advance_l, same_parts(tag, fetch.record.fetch.address)).all();
     let is_present = m.reg("l_present", 1);
     let [found, completes] = [stored.is_present(fetch_slot), stored.completes(l.request.slot)];
     m.next(is_present, advance_l.mux(found, is_present | completes));

@@ -163,8 +163,8 @@ impl Stages<'_> {
         let Arrival { candidates, follows, follows_second, .. } = arrivals.head;
         let head_thread = candidates.place.thread.thread;
         let driven_out = m.wire("driven_out", beat.valid & ((follows_second & !follows) & !beat.began));
-        m.drive(free, !beat.valid | choice.record_ends);
-        let take = m.wire("take", arrivals.holds & ((!beat.valid | choice.ends) & !driven_out));
+        m.drive(free, !beat.valid | choice.ends);
+        let take = m.wire("take", arrivals.holds & (free & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
         let is_fresh = m.wire("is_fresh", contains(working.fresh, head_thread));
         let take_reads = !follows | (!beat.valid & is_fresh);

@@ -18,7 +18,7 @@ pub(super) struct Beat {
     pub began: Reg,
     /// Lanes that are to be chosen.
     pub pending: Reg,
-    /// The others, for who asks whether the beat stays: `pending` moves the record and chooses of it.
+    /// The others, for who asks whether the beat stays: `pending` chooses of hundreds of bits.
     pub settled: Reg,
     pub record: Candidates<Wires>,
 }
@@ -53,8 +53,6 @@ pub(super) struct Choice {
     pub stays: Expr,
     /// The last one is chosen.
     pub ends: Expr,
-    /// Likewise, for the beat's record, which is moved by it.
-    pub record_ends: Expr,
     pub entry: Entry<Wires>,
 }
 
@@ -85,8 +83,7 @@ impl Choice {
         let entry = Entry { found: bit(true), neighbor: Neighbor { index, distance2 } };
         let stays = m.wire("stays", beat.valid & several(!beat.settled));
         let ends = m.wire("ends", moves & !stays);
-        let record_ends = m.wire("record_ends", moves & !several(beat.pending));
-        Self { any: beat.pending.any(), rest, stays, ends, record_ends, entry }
+        Self { any: beat.pending.any(), rest, stays, ends, entry }
     }
 }
 
