@@ -12,6 +12,7 @@ use crate::units::datapath::dot;
 use crate::units::passage::Passage;
 use crate::units::ports::{PulseInPorts, StreamInPorts, StreamOutPorts};
 use crate::units::sliced::Sliced;
+use crate::units::twins::{next_twins, twins};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
 use rtl::Module;
@@ -84,11 +85,13 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let beat = PORTS.beat.queue(&mut m, config);
     let Datapath { module, manifest } = distances(config, options)?;
     let distance = Passage::<Operands, Candidates>::place(&mut m, "distance", module);
-    let query_valid = m.reg_reset("query_valid", 1, 0);
+    // `query_advance` moves a beat and its query; the queue before them hangs on another register.
+    let [query_valid, query_empty] = twins(&mut m, ["query_valid", "query_empty"]);
     let accepts = distance.room(&mut m);
     let query_advance = m.wire("query_advance", !query_valid | accepts);
-    m.drive(beat.ready, query_advance);
-    m.next_if(query_valid, query_advance, beat.valid);
+    m.drive(beat.ready, query_empty | accepts);
+    let query_next = query_advance.mux(beat.valid, query_valid);
+    next_twins(&mut m, "query_valid_or_empty", [query_valid, query_empty], query_next);
     let points = beat.record.register(&mut m, config, "points_", query_advance);
     let query = coordinates(&mut m, config, start, query_advance, beat.record.place.thread.thread);
     distance.push(&mut m, config, query_valid, Operands { beat: points, query });

@@ -14,7 +14,7 @@ use pointcore_contract::{record, width};
 use super::parts::sets::{contains, decode, set};
 use crate::stream::skid;
 use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts, held};
-use crate::units::twins::next_twins;
+use crate::units::twins::{next_twins, twins};
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Memory, Module, Reg, bit, cat, lit};
 
@@ -230,8 +230,8 @@ pub fn module(config: &Config) -> Module {
     // Never in a cycle in which one is stored: what is written need not be told from what is read.
     let read = m.read_if(stored.points, "read", step, word_of(config, run.request.slot, *run_count));
 
-    let [r_valid, s_valid] = ["r_valid", "s_valid"].map(|name| m.reg_reset(name, 1, 0));
-    let [r_empty, s_empty] = ["r_empty", "s_empty"].map(|name| m.reg_reset(name, 1, 1));
+    let [r_valid, r_empty] = twins(&mut m, ["r_valid", "r_empty"]);
+    let [s_valid, s_empty] = twins(&mut m, ["s_valid", "s_empty"]);
     let advance_s = m.wire("advance_s", !s_valid | beat.room);
     m.drive(advance_r, !r_valid | advance_s);
     m.drive(flows, r_empty | (s_empty | beat.room));

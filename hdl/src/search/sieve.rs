@@ -12,7 +12,7 @@ use super::parts::sets::set;
 use crate::stream::fifo;
 use crate::units::passage::Passage;
 use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
-use crate::units::twins::next_twins;
+use crate::units::twins::{next_twins, twins};
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module};
 
@@ -46,8 +46,7 @@ pub fn module(config: &Config) -> Module {
     let s1 = head.record.register(&mut m, config, "s1_", advance);
     let radius2 = radii(&mut m, config, [start.into(), radius.into()], advance, head.record.place.thread.thread);
     m.drive(head.ready, advance);
-    let s2_valid = m.reg_reset("s2_valid", 1, 0);
-    let s2_empty = m.reg_reset("s2_empty", 1, 1);
+    let [s2_valid, s2_empty] = twins(&mut m, ["s2_valid", "s2_empty"]);
     next_twins(&mut m, "s2_valid_or_empty", [s2_valid, s2_empty], decides.mux(s1_valid, s2_valid));
     let s2_survives = m.reg("s2_survives", 1);
     m.next_if(s2_survives, decides, survives(config, &s1, radius2));

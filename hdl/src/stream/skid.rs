@@ -5,7 +5,7 @@
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
 use super::item_width;
-use crate::units::twins::next_twins;
+use crate::units::twins::{next_twins, twins};
 use rtl::Module;
 
 /// A queue of two items in registers.
@@ -19,8 +19,7 @@ pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
 
     let head_filled = m.reg_reset("head_filled", 1, 0);
     // Whether the second place is filled moves what may be hundreds of flip-flops; whoever gives asks the inverse.
-    let second_filled = m.reg_reset("second_filled", 1, 0);
-    let room = m.reg_reset("room", 1, 1);
+    let [second_filled, room] = twins(&mut m, ["second_filled", "room"]);
     let head = m.reg("head", width);
     let second = m.reg("second", width);
 

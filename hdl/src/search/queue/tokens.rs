@@ -91,24 +91,31 @@ impl Choice {
 #[derive(Clone, Copy)]
 pub(super) struct Candidate {
     pub entry: Entry<Wires>,
-    /// Its distance again, from other registers: a row is wide, and each of its halves has its own.
-    distance2_again: Expr,
+    /// Its distance again, from other registers: a row is wide, and each of its quarters has its own.
+    again: [Expr; 3],
 }
 
 impl Candidate {
-    /// In registers, of which some hold the inverse: synthesis does not take those for the others.
+    /// In registers. Of two that are alike synthesis would make one, so some hold the inverse, and some are reset.
     pub fn register(m: &mut Module, config: &Config, entry: Entry<Wires>) -> Self {
         let distance2 = entry.neighbor.distance2;
-        let inverse = m.reg("item_distance2_inverse", distance2.width());
+        let width = distance2.width();
+        let inverse = m.reg("item_distance2_inverse", width);
+        let after_reset = m.reg_reset("item_distance2_reset", width, 0);
+        let inverse_after_reset = m.reg_reset("item_distance2_inverse_reset", width, 0);
         m.next(inverse, !distance2);
-        Self { entry: entry.register(m, config, "item_", bit(true)), distance2_again: !inverse }
+        m.next(after_reset, distance2);
+        m.next(inverse_after_reset, !distance2);
+        let entry = entry.register(m, config, "item_", bit(true));
+        Self { entry, again: [!inverse, after_reset.expr(), !inverse_after_reset] }
     }
 
     /// Whether it is nearer than each of a row's entries.
     pub fn nearer(&self, row: &[Entry<Wires>]) -> Vec<Expr> {
-        let distances = [self.entry.neighbor.distance2, self.distance2_again];
+        let [second, third, fourth] = self.again;
+        let distances = [self.entry.neighbor.distance2, second, third, fourth];
         let is_nearer =
-            |(number, entry): (usize, &Entry<Wires>)| distances[2 * number / row.len()].lt(entry.neighbor.distance2);
+            |(number, entry): (usize, &Entry<Wires>)| distances[4 * number / row.len()].lt(entry.neighbor.distance2);
         row.iter().enumerate().map(is_nearer).collect()
     }
 }

@@ -13,7 +13,7 @@ use pointcore_contract::splat::units::payloads::PORTS;
 
 use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::sliced::Sliced;
-use crate::units::twins::next_twins;
+use crate::units::twins::{next_twins, twins};
 use crate::units::wires::Bundle;
 use places::Places;
 use rtl::{Expr, Module, bit};
@@ -41,8 +41,7 @@ fn leave(m: &mut Module, config: &Config, words: Words, store: Store) -> (Expr, 
     // Where words come in several beats, a copy is completed in a register of its own, which takes the next when it is empty: whether
     // the rasterizer is ready says nothing to the block RAMs, a way across the device.
     // It says by one register what it holds, and by another, which has few loads, that it holds nothing.
-    let completes =
-        (words.count > 1).then(|| [m.reg_reset("complete_valid", 1, 0), m.reg_reset("complete_room", 1, 1)]);
+    let completes = (words.count > 1).then(|| twins(m, ["complete_valid", "complete_room"]));
     let out_valid = m.reg_reset("out_holds", 1, 0);
     let out_taken = m.forward("out_taken", 1);
     let out_room = m.wire("out_room", !out_valid | out_taken);
