@@ -745,13 +745,14 @@ module stream_skid_w35 (
     input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
     output wire out_valid, input wire out_ready, output wire [34:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [34:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -759,22 +760,28 @@ module stream_skid_w35 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -871,13 +878,14 @@ module stream_skid_w65 (
     input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
     output wire out_valid, input wire out_ready, output wire [64:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [64:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -885,22 +893,28 @@ module stream_skid_w65 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1116,13 +1130,14 @@ module stream_skid_w68 (
     input  wire in_valid, output wire in_ready, input wire [67:0] in_data,
     output wire out_valid, input wire out_ready, output wire [67:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [67:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -1130,22 +1145,28 @@ module stream_skid_w68 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

@@ -5539,13 +5539,14 @@ module stream_skid_w23 (
     input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
     output wire out_valid, input wire out_ready, output wire [22:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [22:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -5553,22 +5554,28 @@ module stream_skid_w23 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5657,13 +5664,14 @@ module stream_skid_w227 (
     input  wire in_valid, output wire in_ready, input wire [226:0] in_data,
     output wire out_valid, input wire out_ready, output wire [226:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [226:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -5671,22 +5679,28 @@ module stream_skid_w227 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6804,13 +6818,14 @@ module stream_skid_w52 (
     input  wire in_valid, output wire in_ready, input wire [51:0] in_data,
     output wire out_valid, input wire out_ready, output wire [51:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [51:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -6818,22 +6833,28 @@ module stream_skid_w52 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6920,13 +6941,14 @@ module stream_skid_w22 (
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
     output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -6934,22 +6956,28 @@ module stream_skid_w22 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

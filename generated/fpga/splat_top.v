@@ -6483,13 +6483,14 @@ module stream_skid_w23 (
     input  wire in_valid, output wire in_ready, input wire [22:0] in_data,
     output wire out_valid, input wire out_ready, output wire [22:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [22:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -6497,22 +6498,28 @@ module stream_skid_w23 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6601,13 +6608,14 @@ module stream_skid_w339 (
     input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
     output wire out_valid, input wire out_ready, output wire [338:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [338:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -6615,22 +6623,28 @@ module stream_skid_w339 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -7797,13 +7811,14 @@ module stream_skid_w54 (
     input  wire in_valid, output wire in_ready, input wire [53:0] in_data,
     output wire out_valid, input wire out_ready, output wire [53:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [53:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -7811,22 +7826,28 @@ module stream_skid_w54 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -7913,13 +7934,14 @@ module stream_skid_w24 (
     input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
     output wire out_valid, input wire out_ready, output wire [23:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [23:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -7927,22 +7949,28 @@ module stream_skid_w24 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

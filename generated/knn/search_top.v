@@ -320,6 +320,8 @@ module search_point_cache (
     output reg  event_point_hit,  // The point cache had a leaf that was wanted.
     output reg  event_point_miss  // The point cache lacked a leaf that was wanted.
 );
+    (* ram_style = "distributed" *)
+    reg [21:0] tags [0:63];
     reg fill_under_way;
     reg [5:0] fill_slot_before;
     reg [2:0] fill_count;
@@ -336,11 +338,11 @@ module search_point_cache (
     reg began, complete;
     reg [5:0] changed_slot;
     reg [63:0] present;
-    wire [21:0] tag;
+    reg [2:0] l_same;
     reg l_present;
     reg [2:0] run_count;
     wire [383:0] read;
-    reg r_valid, s_valid, r_read;
+    reg r_valid, r_empty, s_valid, s_empty, r_read;
     reg [3:0] r_thread;  // Thread.
     reg [21:0] r_address;  // Address in the point memory.
     reg r_last;  // Closes its leaf.
@@ -381,10 +383,9 @@ module search_point_cache (
     wire fill_queue_out_valid;
     wire [416:0] fill_queue_out_data;
 
-    wire advance_s = ~s_valid | beat_queue_in_ready;
-    wire advance_r = ~r_valid | advance_s;
+    wire flows = r_empty | (s_empty | beat_queue_in_ready);
     wire runs = run_valid & ~fill_under_way;
-    wire fill_queue_out_ready = advance_r & ~runs;
+    wire fill_queue_out_ready = flows & ~runs;
     wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
     wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
     wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
@@ -393,14 +394,13 @@ module search_point_cache (
     wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
     wire store = fill_taken & fill_kept;
     wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
-    wire run_step = advance_r & runs;
-    wire store_and_not_fill_under_way = store & ~fill_under_way;
-    wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
-    wire hit = l_present & (tag == l_address);
+    wire run_step = flows & runs;
+    wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
+    wire hit = l_present & &l_same;
     wire hits = l_valid & (hit & ~run_valid);
     wire misses = l_valid & (~hit & miss_queue_in_ready);
     wire advance_l = ~l_valid | (hits | misses);
-    wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
+    wire advance_s = ~s_valid | beat_queue_in_ready;
     wire [5:0] fill_queue_in_data_unequal = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12] ^ {2'd0, fill_address[21:18]};
     wire fill_queue_out_last = fill_queue_out_data[390];
     wire [3:0] fetch_queue_out_thread = fetch_queue_out_data[34:31];
@@ -408,6 +408,7 @@ module search_point_cache (
     wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
     wire [2:0] run_count_plus_1 = run_count + 3'd1;
     wire run_last = run_count_plus_1 == run_beats;
+    wire store_and_not_fill_under_way = store & ~fill_under_way;
     wire changed_slot_is_63 = changed_slot == 6'd63;
     wire changed_slot_is_62 = changed_slot == 6'd62;
     wire changed_slot_is_61 = changed_slot == 6'd61;
@@ -520,12 +521,17 @@ module search_point_cache (
         complete & changed_slot_is_3, complete & changed_slot_is_2, complete & changed_slot_is_1,
         complete & changed_slot_is_0
     };
+    wire [21:0] tag = tags[fetch_queue_out_slot];
     wire [63:0] l_present_shifted = present >> fetch_queue_out_slot;
     wire l_present_same = changed_slot == fetch_queue_out_slot;
     wire l_present_either = (l_present_shifted[0] & ~(began & l_present_same)) | (complete & l_present_same);
     wire changed_slot_is_l_slot = changed_slot == l_slot;
     wire l_present_both = complete & changed_slot_is_l_slot;
+    wire advance_r = ~r_valid | advance_s;
+    wire r_valid_choice = advance_r ? (runs | fill_queue_out_valid) : r_valid;
+    wire s_valid_choice = advance_s ? r_valid : s_valid;
     wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
+    wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
     wire [31:0] fill_queue_out_x0 = fill_queue_out_data[389:358];
     wire [31:0] fill_queue_out_y0 = fill_queue_out_data[357:326];
     wire [31:0] fill_queue_out_z0 = fill_queue_out_data[325:294];
@@ -549,12 +555,6 @@ module search_point_cache (
         .clk(clk), .write(store), .write_address({fill_slot, fill_count[1:0]}),
         .write_data(fill_queue_out_data[389:6]),
         .read(run_step), .read_address({run_slot, run_count[1:0]}), .read_data(read)
-    );
-
-    memory_1w1r #(.WIDTH(22), .DEPTH(64)) tags (
-        .clk(clk), .write(store_and_not_fill_under_way), .write_address(fill_slot),
-        .write_data(fill_queue_out_address),
-        .read(advance_l), .read_address(fetch_queue_out_slot), .read_data(tag)
     );
 
     stream_skid_w35 fetch_queue (
@@ -597,7 +597,9 @@ module search_point_cache (
             present <= 64'd0;
             run_count <= 3'd0;
             r_valid <= 1'd0;
+            r_empty <= 1'd1;
             s_valid <= 1'd0;
+            s_empty <= 1'd1;
             event_point_hit <= 1'd0;
             event_point_miss <= 1'd0;
         end else begin
@@ -610,11 +612,13 @@ module search_point_cache (
             began <= store_and_not_fill_under_way;
             complete <= store & fill_queue_out_last;
             present <= (present & ~present_bits) | present_bits_2;
+            r_valid <= r_valid_choice;
+            r_empty <= ~r_valid_choice;
+            s_valid <= s_valid_choice;
+            s_empty <= ~s_valid_choice;
             event_point_hit <= hits;
             event_point_miss <= misses;
             if (run_step) run_count <= run_last ? 3'd0 : run_count_plus_1;
-            if (advance_r) r_valid <= runs | fill_queue_out_valid;
-            if (advance_s) s_valid <= r_valid;
         end
     end
     always @(posedge clk) begin
@@ -627,6 +631,10 @@ module search_point_cache (
             l_address <= fetch_queue_out_address;
             l_beats <= fetch_queue_out_beats;
             l_slot <= fetch_queue_out_slot;
+            l_same <= {
+                tag[21:16] == fetch_queue_out_address[21:16], tag[15:8] == fetch_queue_out_address[15:8],
+                tag[7:0] == fetch_queue_out_address[7:0]
+            };
         end
         if (hits) begin
             run_thread <= l_thread;
@@ -670,6 +678,7 @@ module search_point_cache (
             s_z3 <= r_read ? read[31:0] : r_z3;
         end
     end
+    always @(posedge clk) if (store_and_not_fill_under_way) tags[fill_slot] <= fill_queue_out_address;
 
     wire _unused = &{1'b0, l_present_shifted[63:1]};
 
@@ -682,9 +691,13 @@ module search_point_cache (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        r_valid_or_empty: assert (r_valid ^ r_empty);
+        s_valid_or_empty: assert (s_valid ^ s_empty);
         what_is_read_is_there: assert (~run_valid | (check_both | (complete & changed_slot_is_run_slot)));
         what_is_looked_up_is_known: assert (~(l_valid & l_present) | check_either);
 `else
+        if (!(r_valid ^ r_empty)) begin $display("assertion failed: r_valid_or_empty in %m"); $stop; end
+        if (!(s_valid ^ s_empty)) begin $display("assertion failed: s_valid_or_empty in %m"); $stop; end
         if (!(~run_valid | (check_both | (complete & changed_slot_is_run_slot)))) begin
             $display("assertion failed: what_is_read_is_there in %m"); $stop;
         end
@@ -705,13 +718,14 @@ module stream_skid_w417 (
     input  wire in_valid, output wire in_ready, input wire [416:0] in_data,
     output wire out_valid, input wire out_ready, output wire [416:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [416:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -719,22 +733,28 @@ module stream_skid_w417 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -749,13 +769,14 @@ module stream_skid_w35 (
     input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
     output wire out_valid, input wire out_ready, output wire [34:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [34:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -763,22 +784,28 @@ module stream_skid_w35 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -826,7 +853,7 @@ module search_queue (
     output reg  event_insert_wait  // A beat stayed for one more insertion.
 );
     (* ram_style = "distributed" *)
-    reg [181:0] arrivals [0:1];
+    reg [183:0] arrivals [0:1];
     (* ram_style = "distributed" *)
     reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
@@ -836,8 +863,8 @@ module search_queue (
     reg [3:0] owner;
     reg [1791:0] working;
     reg [15:0] fresh;
-    reg beat_valid, beat_reads;
-    reg [3:0] beat_pending;
+    reg beat_valid, beat_reads, beat_began;
+    reg [3:0] beat_pending, beat_settled;
     reg [3:0] beat_thread;  // Thread.
     reg [21:0] beat_address;  // Address in the point memory.
     reg beat_last;  // Closes its leaf.
@@ -860,10 +887,14 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [1791:0] stored;
     wire [91:0] query;
-    reg [30:0] item_distance2_inverse;
+    reg [30:0] item_distance2_inverse, item_distance2_reset, item_distance2_inverse_reset;
     reg [23:0] item_index;  // The point's place in the point memory.
     reg [30:0] item_distance2;  // Its squared distance.
     reg [15:0] from_leaf;
+    reg last_known;
+    reg [3:0] last_thread;
+    reg second_last_known;
+    reg [3:0] second_last_thread;
     reg [1791:0] sent_row;
     reg [23:0] sent_number;
     reg [5:0] position, next_position;
@@ -918,7 +949,6 @@ module search_queue (
     wire [30:0] result_distance2_choice_13 = position[2] ? result_distance2_choice_11 : result_distance2_choice_12;
     wire [30:0] result_distance2_choice_14 = position[3] ? result_distance2_choice_10 : result_distance2_choice_13;
     wire [30:0] result_distance2_choice_15 = position[4] ? result_distance2_choice_7 : result_distance2_choice_14;
-    wire write_back = item_reads & owned;
     wire [23:0] inserted_row_choice = nearer[31] ? (nearer[30] ? working[1734:1711] : new_index) : working[1790:1767];
     wire [30:0] radius_radius2_choice = nearer[31] ? (nearer[30] ? working[1710:1680] : new_distance2) : working[1766:1736];
     wire [23:0] inserted_row_choice_2 = nearer[30] ? (nearer[29] ? working[1678:1655] : new_index) : working[1734:1711];
@@ -1038,15 +1068,14 @@ module search_queue (
     wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire stays_either = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
-    wire stays = beat_valid & (stays_either | (beat_pending[3] & |beat_pending[2:0]));
-    wire done = moves & ~stays;
-    wire beat_free = ~beat_valid | done;
-    wire [3:0] tail = item_valid ? item_thread : owner;
-    wire [181:0] arrivals_head = arrivals[arrivals_read_address];
-    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[181:178]);
-    wire follows_beat = beat_thread == arrivals_head[181:178];
-    wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
+    wire [3:0] not_beat_settled = ~beat_settled;
+    wire stays_either = (not_beat_settled[1] & not_beat_settled[0]) | (not_beat_settled[2] & |not_beat_settled[1:0]);
+    wire stays = beat_valid & (stays_either | (not_beat_settled[3] & |not_beat_settled[2:0]));
+    wire ends = moves & ~stays;
+    wire beat_free = ~beat_valid | ends;
+    wire [183:0] arrivals_head = arrivals[arrivals_read_address];
+    wire driven_out = beat_valid & (arrivals_head[0] & ~arrivals_head[1] & ~beat_began);
+    wire take = |arrivals_count & (beat_free & ~driven_out);
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [1791:0] initial_row = {
         25'd0, query[61:31], 25'd0, query[30] ? 31'd0 : query[61:31], 25'd0, query[29] ? 31'd0 : query[61:31],
@@ -1085,16 +1114,16 @@ module search_queue (
         start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
         start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[181:178];
+    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[183:180];
     wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire farthest_will_be_known_either = ~arrivals_head[1] | (~beat_valid & is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[181:178]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[183:180]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[61:31] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[61:31] < farthest));
-    wire beat_pending_both_2 = (arrivals_head[92:62] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[92:62] < farthest));
-    wire beat_pending_both_3 = (arrivals_head[123:93] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[123:93] < farthest));
-    wire beat_pending_both_4 = (arrivals_head[154:124] < arrivals_head[30:0]) & (~farthest_will_be_known | (arrivals_head[154:124] < farthest));
+    wire beat_pending_both = (arrivals_head[63:33] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[63:33] < farthest));
+    wire beat_pending_both_2 = (arrivals_head[94:64] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[94:64] < farthest));
+    wire beat_pending_both_3 = (arrivals_head[125:95] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[125:95] < farthest));
+    wire beat_pending_both_4 = (arrivals_head[156:126] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[156:126] < farthest));
     wire [3:0] beat_pending_bits = {beat_pending_both, beat_pending_both_2, beat_pending_both_3, beat_pending_both_4};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
@@ -1104,82 +1133,84 @@ module search_queue (
         ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
+    wire [3:0] beat_pending_choice = take ? beat_pending_bits : left;
     wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [31:0] nearer_entries_bits = {
-        ~item_distance2_inverse < stored[1766:1736], ~item_distance2_inverse < stored[1710:1680],
-        ~item_distance2_inverse < stored[1654:1624], ~item_distance2_inverse < stored[1598:1568],
-        ~item_distance2_inverse < stored[1542:1512], ~item_distance2_inverse < stored[1486:1456],
-        ~item_distance2_inverse < stored[1430:1400], ~item_distance2_inverse < stored[1374:1344],
-        ~item_distance2_inverse < stored[1318:1288], ~item_distance2_inverse < stored[1262:1232],
-        ~item_distance2_inverse < stored[1206:1176], ~item_distance2_inverse < stored[1150:1120],
-        ~item_distance2_inverse < stored[1094:1064], ~item_distance2_inverse < stored[1038:1008],
-        ~item_distance2_inverse < stored[982:952], ~item_distance2_inverse < stored[926:896],
-        item_distance2 < stored[870:840], item_distance2 < stored[814:784], item_distance2 < stored[758:728],
-        item_distance2 < stored[702:672], item_distance2 < stored[646:616], item_distance2 < stored[590:560],
-        item_distance2 < stored[534:504], item_distance2 < stored[478:448], item_distance2 < stored[422:392],
-        item_distance2 < stored[366:336], item_distance2 < stored[310:280], item_distance2 < stored[254:224],
-        item_distance2 < stored[198:168], item_distance2 < stored[142:112], item_distance2 < stored[86:56],
-        item_distance2 < stored[30:0]
+        ~item_distance2_inverse_reset < stored[1766:1736], ~item_distance2_inverse_reset < stored[1710:1680],
+        ~item_distance2_inverse_reset < stored[1654:1624], ~item_distance2_inverse_reset < stored[1598:1568],
+        ~item_distance2_inverse_reset < stored[1542:1512], ~item_distance2_inverse_reset < stored[1486:1456],
+        ~item_distance2_inverse_reset < stored[1430:1400], ~item_distance2_inverse_reset < stored[1374:1344],
+        item_distance2_reset < stored[1318:1288], item_distance2_reset < stored[1262:1232],
+        item_distance2_reset < stored[1206:1176], item_distance2_reset < stored[1150:1120],
+        item_distance2_reset < stored[1094:1064], item_distance2_reset < stored[1038:1008],
+        item_distance2_reset < stored[982:952], item_distance2_reset < stored[926:896],
+        ~item_distance2_inverse < stored[870:840], ~item_distance2_inverse < stored[814:784],
+        ~item_distance2_inverse < stored[758:728], ~item_distance2_inverse < stored[702:672],
+        ~item_distance2_inverse < stored[646:616], ~item_distance2_inverse < stored[590:560],
+        ~item_distance2_inverse < stored[534:504], ~item_distance2_inverse < stored[478:448],
+        item_distance2 < stored[422:392], item_distance2 < stored[366:336], item_distance2 < stored[310:280],
+        item_distance2 < stored[254:224], item_distance2 < stored[198:168], item_distance2 < stored[142:112],
+        item_distance2 < stored[86:56], item_distance2 < stored[30:0]
     };
-    wire nearer_entries_in_order = ~item_distance2_inverse < working[1710:1680];
+    wire nearer_entries_in_order = ~item_distance2_inverse_reset < working[1710:1680];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse < working[1766:1736]);
-    wire nearer_entries_in_order_3 = ~item_distance2_inverse < working[1654:1624];
+    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse_reset < working[1766:1736]);
+    wire nearer_entries_in_order_3 = ~item_distance2_inverse_reset < working[1654:1624];
     wire nearer_entries_choice_2 = nearer[29] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = ~item_distance2_inverse < working[1598:1568];
+    wire nearer_entries_in_order_4 = ~item_distance2_inverse_reset < working[1598:1568];
     wire nearer_entries_choice_3 = nearer[28] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = ~item_distance2_inverse < working[1542:1512];
+    wire nearer_entries_in_order_5 = ~item_distance2_inverse_reset < working[1542:1512];
     wire nearer_entries_choice_4 = nearer[27] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = ~item_distance2_inverse < working[1486:1456];
+    wire nearer_entries_in_order_6 = ~item_distance2_inverse_reset < working[1486:1456];
     wire nearer_entries_choice_5 = nearer[26] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = ~item_distance2_inverse < working[1430:1400];
+    wire nearer_entries_in_order_7 = ~item_distance2_inverse_reset < working[1430:1400];
     wire nearer_entries_choice_6 = nearer[25] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = ~item_distance2_inverse < working[1374:1344];
+    wire nearer_entries_in_order_8 = ~item_distance2_inverse_reset < working[1374:1344];
     wire nearer_entries_choice_7 = nearer[24] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_9 = ~item_distance2_inverse < working[1318:1288];
+    wire nearer_entries_in_order_9 = item_distance2_reset < working[1318:1288];
     wire nearer_entries_choice_8 = nearer[23] ? nearer_entries_in_order_9 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_10 = ~item_distance2_inverse < working[1262:1232];
+    wire nearer_entries_in_order_10 = item_distance2_reset < working[1262:1232];
     wire nearer_entries_choice_9 = nearer[22] ? nearer_entries_in_order_10 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_11 = ~item_distance2_inverse < working[1206:1176];
+    wire nearer_entries_in_order_11 = item_distance2_reset < working[1206:1176];
     wire nearer_entries_choice_10 = nearer[21] ? nearer_entries_in_order_11 : nearer_entries_in_order_2;
     wire nearer_entries_choice_11 = nearer[22] ? nearer_entries_choice_10 : nearer_entries_in_order_10;
-    wire nearer_entries_in_order_12 = ~item_distance2_inverse < working[1150:1120];
+    wire nearer_entries_in_order_12 = item_distance2_reset < working[1150:1120];
     wire nearer_entries_choice_12 = nearer[20] ? nearer_entries_in_order_12 : nearer_entries_in_order_2;
     wire nearer_entries_choice_13 = nearer[21] ? nearer_entries_choice_12 : nearer_entries_in_order_11;
-    wire nearer_entries_in_order_13 = ~item_distance2_inverse < working[1094:1064];
+    wire nearer_entries_in_order_13 = item_distance2_reset < working[1094:1064];
     wire nearer_entries_choice_14 = nearer[19] ? nearer_entries_in_order_13 : nearer_entries_in_order_2;
     wire nearer_entries_choice_15 = nearer[20] ? nearer_entries_choice_14 : nearer_entries_in_order_12;
-    wire nearer_entries_in_order_14 = ~item_distance2_inverse < working[1038:1008];
+    wire nearer_entries_in_order_14 = item_distance2_reset < working[1038:1008];
     wire nearer_entries_choice_16 = nearer[18] ? nearer_entries_in_order_14 : nearer_entries_in_order_2;
     wire nearer_entries_choice_17 = nearer[19] ? nearer_entries_choice_16 : nearer_entries_in_order_13;
-    wire nearer_entries_in_order_15 = ~item_distance2_inverse < working[982:952];
+    wire nearer_entries_in_order_15 = item_distance2_reset < working[982:952];
     wire nearer_entries_choice_18 = nearer[17] ? nearer_entries_in_order_15 : nearer_entries_in_order_2;
     wire nearer_entries_choice_19 = nearer[18] ? nearer_entries_choice_18 : nearer_entries_in_order_14;
-    wire nearer_entries_in_order_16 = ~item_distance2_inverse < working[926:896];
+    wire nearer_entries_in_order_16 = item_distance2_reset < working[926:896];
     wire nearer_entries_choice_20 = nearer[16] ? nearer_entries_in_order_16 : nearer_entries_in_order_2;
     wire nearer_entries_choice_21 = nearer[17] ? nearer_entries_choice_20 : nearer_entries_in_order_15;
-    wire nearer_entries_in_order_17 = item_distance2 < working[870:840];
+    wire nearer_entries_in_order_17 = ~item_distance2_inverse < working[870:840];
     wire nearer_entries_choice_22 = nearer[15] ? nearer_entries_in_order_17 : nearer_entries_in_order_2;
     wire nearer_entries_choice_23 = nearer[16] ? nearer_entries_choice_22 : nearer_entries_in_order_16;
-    wire nearer_entries_in_order_18 = item_distance2 < working[814:784];
+    wire nearer_entries_in_order_18 = ~item_distance2_inverse < working[814:784];
     wire nearer_entries_choice_24 = nearer[14] ? nearer_entries_in_order_18 : nearer_entries_in_order_2;
     wire nearer_entries_choice_25 = nearer[15] ? nearer_entries_choice_24 : nearer_entries_in_order_17;
-    wire nearer_entries_in_order_19 = item_distance2 < working[758:728];
+    wire nearer_entries_in_order_19 = ~item_distance2_inverse < working[758:728];
     wire nearer_entries_choice_26 = nearer[13] ? nearer_entries_in_order_19 : nearer_entries_in_order_2;
     wire nearer_entries_choice_27 = nearer[14] ? nearer_entries_choice_26 : nearer_entries_in_order_18;
-    wire nearer_entries_in_order_20 = item_distance2 < working[702:672];
+    wire nearer_entries_in_order_20 = ~item_distance2_inverse < working[702:672];
     wire nearer_entries_choice_28 = nearer[12] ? nearer_entries_in_order_20 : nearer_entries_in_order_2;
     wire nearer_entries_choice_29 = nearer[13] ? nearer_entries_choice_28 : nearer_entries_in_order_19;
-    wire nearer_entries_in_order_21 = item_distance2 < working[646:616];
+    wire nearer_entries_in_order_21 = ~item_distance2_inverse < working[646:616];
     wire nearer_entries_choice_30 = nearer[11] ? nearer_entries_in_order_21 : nearer_entries_in_order_2;
     wire nearer_entries_choice_31 = nearer[12] ? nearer_entries_choice_30 : nearer_entries_in_order_20;
-    wire nearer_entries_in_order_22 = item_distance2 < working[590:560];
+    wire nearer_entries_in_order_22 = ~item_distance2_inverse < working[590:560];
     wire nearer_entries_choice_32 = nearer[10] ? nearer_entries_in_order_22 : nearer_entries_in_order_2;
     wire nearer_entries_choice_33 = nearer[11] ? nearer_entries_choice_32 : nearer_entries_in_order_21;
-    wire nearer_entries_in_order_23 = item_distance2 < working[534:504];
+    wire nearer_entries_in_order_23 = ~item_distance2_inverse < working[534:504];
     wire nearer_entries_choice_34 = nearer[9] ? nearer_entries_in_order_23 : nearer_entries_in_order_2;
     wire nearer_entries_choice_35 = nearer[10] ? nearer_entries_choice_34 : nearer_entries_in_order_22;
-    wire nearer_entries_in_order_24 = item_distance2 < working[478:448];
+    wire nearer_entries_in_order_24 = ~item_distance2_inverse < working[478:448];
     wire nearer_entries_choice_36 = nearer[8] ? nearer_entries_in_order_24 : nearer_entries_in_order_2;
     wire nearer_entries_choice_37 = nearer[9] ? nearer_entries_choice_36 : nearer_entries_in_order_23;
     wire nearer_entries_in_order_25 = item_distance2 < working[422:392];
@@ -1229,8 +1260,9 @@ module search_queue (
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
-    wire [30:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
-    wire [30:0] item_distance2_choice_2 = chosen[0] ? beat_distance0 : item_distance2_choice;
+    wire [30:0] item_distance2_reset_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [30:0] item_distance2_reset_choice_2 = chosen[0] ? beat_distance0 : item_distance2_reset_choice;
+    wire [30:0] item_distance2_inverse_inverted = ~item_distance2_reset_choice_2;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
         radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
@@ -1255,7 +1287,7 @@ module search_queue (
     assign result_distance2 = {1'd0, result_distance2_choice_15};
 
     memory_1w1r #(.WIDTH(1792), .DEPTH(16)) rows (
-        .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .clk(clk), .write(owned), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
@@ -1287,6 +1319,7 @@ module search_queue (
             fresh <= 16'd0;
             beat_valid <= 1'd0;
             beat_reads <= 1'd0;
+            beat_began <= 1'd0;
             item_valid <= 1'd0;
             item_reads <= 1'd0;
             item_inserts <= 1'd0;
@@ -1300,6 +1333,10 @@ module search_queue (
             fetching <= 1'd0;
             sending <= 1'd0;
             readout_idle <= 1'd1;
+            item_distance2_reset <= 31'd0;
+            item_distance2_inverse_reset <= 31'd0;
+            last_known <= 1'd0;
+            second_last_known <= 1'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
@@ -1309,11 +1346,12 @@ module search_queue (
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? farthest_will_be_known_choice : (beat_reads & waits);
+            beat_reads <= take ? farthest_will_be_known_either : (beat_reads & waits);
+            beat_began <= ~take & (beat_began | moves);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
-            item_last <= done & beat_last;
+            item_last <= ends & beat_last;
             item_stays <= ~reads;
             nearer <= nearer_entries & {32{item_inserts}};
             new_last <= item_last;
@@ -1323,11 +1361,15 @@ module search_queue (
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
+            item_distance2_reset <= item_distance2_reset_choice_2;
+            item_distance2_inverse_reset <= item_distance2_inverse_inverted;
             released_valid <= fetching;
-            event_beat <= done;
+            event_beat <= ends;
             event_insert_wait <= moves & stays;
             if (arrivals_write_address_enable_both) begin
                 arrivals_write_address <= arrivals_write_address + 1'd1;
+                last_known <= 1'd1;
+                second_last_known <= last_known;
             end
             if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
@@ -1335,7 +1377,8 @@ module search_queue (
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
-        beat_pending <= take ? beat_pending_bits : left;
+        beat_pending <= beat_pending_choice;
+        beat_settled <= ~beat_pending_choice;
         item_thread <= beat_thread;
         item_fresh <= fresh_shifted_by_beat_thread[0];
         new_index <= item_index;
@@ -1347,21 +1390,25 @@ module search_queue (
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
-        item_distance2_inverse <= ~item_distance2_choice_2;
+        item_distance2_inverse <= item_distance2_inverse_inverted;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= item_distance2_choice_2;
+        item_distance2 <= item_distance2_reset_choice_2;
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[181:178];
-            beat_address <= arrivals_head[177:156];
-            beat_last <= arrivals_head[155];
-            beat_distance0 <= arrivals_head[154:124];
-            beat_distance1 <= arrivals_head[123:93];
-            beat_distance2 <= arrivals_head[92:62];
-            beat_distance3 <= arrivals_head[61:31];
+            beat_thread <= arrivals_head[183:180];
+            beat_address <= arrivals_head[179:158];
+            beat_last <= arrivals_head[157];
+            beat_distance0 <= arrivals_head[156:126];
+            beat_distance1 <= arrivals_head[125:95];
+            beat_distance2 <= arrivals_head[94:64];
+            beat_distance3 <= arrivals_head[63:33];
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
+        if (arrivals_write_address_enable_both) begin
+            last_thread <= candidates_thread;
+            second_last_thread <= last_thread;
+        end
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[91:68];
@@ -1375,7 +1422,9 @@ module search_queue (
         if (arrivals_write_address_enable_both) begin
             arrivals[arrivals_write_address] <= {
                 candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
-                candidates_distance2, candidates_distance3, arrivals_data_shifted[0] ? leaf_radius2 : query_radius2
+                candidates_distance2, candidates_distance3, arrivals_data_shifted[0] ? leaf_radius2 : query_radius2,
+                last_known & (last_thread == candidates_thread),
+                second_last_known & (second_last_thread == candidates_thread)
             };
         end
     end
@@ -1390,22 +1439,37 @@ module search_queue (
 
 `ifdef RTL_ASSERT
     wire [15:0] check_shifted = fresh >> readout_thread;
+    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == arrivals_head[183:180]);
+    wire check_choice = beat_valid ? (arrivals_head[1] == (beat_thread == arrivals_head[183:180])) : (arrivals_head[1] == check_both);
+    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (arrivals_head[0] == check_both)));
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        k_fits_a_row: assert (~start_valid | (|start_k & (start_k <= 6'd32)));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
+        whom_a_beat_follows_is_told: assert (~(|arrivals_count) | check_both_2);
+        pending_or_settled: assert (~beat_valid | &(beat_pending ^ beat_settled));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~start_valid | (|start_k & (start_k <= 6'd32)))) begin
+            $display("assertion failed: k_fits_a_row in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
             $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
+        end
+        if (!(~(|arrivals_count) | check_both_2)) begin
+            $display("assertion failed: whom_a_beat_follows_is_told in %m"); $stop;
+        end
+        if (!(~beat_valid | &(beat_pending ^ beat_settled))) begin
+            $display("assertion failed: pending_or_settled in %m"); $stop;
         end
         if (!(readout_idle == ~(fetching | sending))) begin
             $display("assertion failed: idle_when_neither in %m"); $stop;
@@ -1467,7 +1531,7 @@ module search_sieve (
     reg [30:0] s1_distance3;  // A squared distance a lane; NaN where there is no point.
     reg [15:0] from_leaf;
     reg [30:0] radius2;
-    reg s2_valid, s2_survives;
+    reg s2_valid, s2_empty, s2_survives;
     reg [3:0] s2_thread;  // Thread.
     reg [21:0] s2_address;  // Address in the point memory.
     reg s2_last;  // Closes its leaf.
@@ -1485,12 +1549,11 @@ module search_sieve (
     wire kept_queue_in_ready;
     wire [150:0] kept_queue_out_data;
 
+    wire decides_early = s2_empty | (~(held_valid & (held_last | s2_survives)) | kept_queue_in_ready);
+    wire advance = ~s1_valid | decides_early;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
-    wire proceeds = ~displaced | kept_queue_in_ready;
-    wire decides = ~s2_valid | proceeds;
-    wire advance = ~s1_valid | decides;
     wire leaves = displaced & kept_queue_in_ready;
     wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[150:147];
     wire [21:0] candidates_queue_out_address = candidates_queue_out_data[146:125];
@@ -1522,6 +1585,9 @@ module search_sieve (
     wire [15:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
     wire [30:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [30:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire proceeds = ~displaced | kept_queue_in_ready;
+    wire decides = ~s2_valid | proceeds;
+    wire s2_valid_choice = decides ? s1_valid : s2_valid;
     wire [3:0] s2_survives_bits = {s1_distance3 < radius2, s1_distance2 < radius2, s1_distance1 < radius2, s1_distance0 < radius2};
     wire keep = near & proceeds;
     wire ends = s2_valid & s2_last & (~near & proceeds);
@@ -1552,11 +1618,13 @@ module search_sieve (
         if (rst) begin
             s1_valid <= 1'd0;
             s2_valid <= 1'd0;
+            s2_empty <= 1'd1;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
             if (advance) s1_valid <= candidates_queue_out_valid;
-            if (decides) s2_valid <= s1_valid;
+            s2_valid <= s2_valid_choice;
+            s2_empty <= ~s2_valid_choice;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
         end
@@ -1603,9 +1671,17 @@ module search_sieve (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        s2_valid_or_empty: assert (s2_valid ^ s2_empty);
+        decides_as_early: assert (decides == decides_early);
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(s2_valid ^ s2_empty)) begin
+            $display("assertion failed: s2_valid_or_empty in %m"); $stop;
+        end
+        if (!(decides == decides_early)) begin
+            $display("assertion failed: decides_as_early in %m"); $stop;
         end
 `endif
     end
@@ -1691,13 +1767,14 @@ module stream_skid_w151 (
     input  wire in_valid, output wire in_ready, input wire [150:0] in_data,
     output wire out_valid, input wire out_ready, output wire [150:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [150:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -1705,22 +1782,28 @@ module stream_skid_w151 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1786,7 +1869,7 @@ module search_leaf (
     wire [24:0] f0_found;
     reg [21:0] f1_begin;  // The first beat.
     reg [2:0] f1_beats;  // The number of beats, at least one.
-    reg query_valid;
+    reg query_valid, query_empty;
     reg [3:0] points_thread;  // Thread.
     reg [21:0] points_address;  // Address in the point memory.
     reg points_last;  // Closes its leaf.
@@ -1817,7 +1900,9 @@ module search_leaf (
     wire [13:0] leaf_queue_out_leaf = leaf_queue_out_data[13:0];
     wire query_advance = ~query_valid | distance_in_ready;
     wire [3:0] beat_queue_out_thread = beat_queue_out_data[410:407];
+    wire beat_queue_out_ready = query_empty | distance_in_ready;
     wire [3:0] leaf_queue_out_thread = leaf_queue_out_data[17:14];
+    wire query_valid_choice = query_advance ? beat_queue_out_valid : query_valid;
     wire [21:0] beat_queue_out_address = beat_queue_out_data[406:385];
     wire beat_queue_out_last = beat_queue_out_data[384];
     wire [31:0] beat_queue_out_x0 = beat_queue_out_data[383:352];
@@ -1864,7 +1949,7 @@ module search_leaf (
             beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
             beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
         }),
-        .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
@@ -1884,12 +1969,14 @@ module search_leaf (
             f0_valid <= 1'd0;
             f1_valid <= 1'd0;
             query_valid <= 1'd0;
+            query_empty <= 1'd1;
         end else begin
             if (table_advance) begin
                 f0_valid <= leaf_queue_out_valid;
                 f1_valid <= f0_valid;
             end
-            if (query_advance) query_valid <= beat_queue_out_valid;
+            query_valid <= query_valid_choice;
+            query_empty <= ~query_valid_choice;
         end
     end
     always @(posedge clk) begin
@@ -1925,12 +2012,16 @@ module search_leaf (
 `ifdef FORMAL
         no_leaf_is_looked_up_while_one_is_written: assert (~(writes_leaf & leaf_queue_out_valid));
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        query_valid_or_empty: assert (query_valid ^ query_empty);
 `else
         if (!(~(writes_leaf & leaf_queue_out_valid))) begin
             $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m"); $stop;
         end
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(query_valid ^ query_empty)) begin
+            $display("assertion failed: query_valid_or_empty in %m"); $stop;
         end
 `endif
     end
@@ -2371,13 +2462,14 @@ module stream_skid_w411 (
     input  wire in_valid, output wire in_ready, input wire [410:0] in_data,
     output wire out_valid, input wire out_ready, output wire [410:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [410:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -2385,22 +2477,28 @@ module stream_skid_w411 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2415,13 +2513,14 @@ module stream_skid_w29 (
     input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
     output wire out_valid, input wire out_ready, output wire [28:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [28:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -2429,22 +2528,28 @@ module stream_skid_w29 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2616,13 +2721,14 @@ module stream_skid_w4 (
     input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
     output wire out_valid, input wire out_ready, output wire [3:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [3:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -2630,22 +2736,28 @@ module stream_skid_w4 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2821,6 +2933,7 @@ module search_traversal (
     reg [31:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
+    reg [3:0] v_places;
     wire [95:0] query;
 
     wire descend_queue_out_valid;
@@ -2848,10 +2961,7 @@ module search_traversal (
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [14:0] leaf_queue_in_data_choice = (v_node[14:7] == 8'd0) ? (v_node << 8) : v_node;
-    wire [14:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[14:11] == 4'd0) ? (leaf_queue_in_data_choice << 4) : leaf_queue_in_data_choice;
-    wire [14:0] leaf_queue_in_data_choice_3 = (leaf_queue_in_data_choice_2[14:13] == 2'd0) ? (leaf_queue_in_data_choice_2 << 2) : leaf_queue_in_data_choice_2;
-    wire [14:0] leaf_queue_in_data_choice_4 = ~leaf_queue_in_data_choice_3[14] ? (leaf_queue_in_data_choice_3 << 1) : leaf_queue_in_data_choice_3;
+    wire [14:0] v_node_shifted_by_v_places = v_node << v_places;
     wire left_choice = s_dimension[1] ? less_z_odd_y : s_dimension[0] ? less_y_odd_y : less_x_odd_y;
     wire left_choice_2 = s_dimension[1] ? less_z_even_y : s_dimension[0] ? less_y_even_y : less_x_even_y;
     wire left = s_node[0] ? left_choice : left_choice_2;
@@ -2860,6 +2970,19 @@ module search_traversal (
     wire [3:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
     wire v_node_choice = f_is_child ? ~left : f_node[0];
     wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
+    wire v_places_both = ~f_node[14] & ~f_node[13];
+    wire v_places_both_2 = v_places_both & (~f_node[12] & ~f_node[11]);
+    wire not_f_node_10_and_not_f_node_9 = ~f_node[10] & ~f_node[9];
+    wire v_places_both_3 = v_places_both_2 & (not_f_node_10_and_not_f_node_9 & (~f_node[8] & ~f_node[7]));
+    wire not_f_node_6_and_not_f_node_5 = ~f_node[6] & ~f_node[5];
+    wire v_places_both_4 = not_f_node_6_and_not_f_node_5 & (~f_node[4] & ~f_node[3]);
+    wire not_f_node_2_and_not_f_node_1 = ~f_node[2] & ~f_node[1];
+    wire [1:0] v_places_bits = {not_f_node_2_and_not_f_node_1, not_f_node_2_and_not_f_node_1 ? 1'd0 : ~f_node[2]};
+    wire [1:0] v_places_bits_2 = {not_f_node_6_and_not_f_node_5, not_f_node_6_and_not_f_node_5 ? ~f_node[4] : ~f_node[6]};
+    wire [2:0] v_places_bits_3 = {v_places_both_4, v_places_both_4 ? v_places_bits : v_places_bits_2};
+    wire [1:0] v_places_bits_4 = {not_f_node_10_and_not_f_node_9, not_f_node_10_and_not_f_node_9 ? ~f_node[8] : ~f_node[10]};
+    wire [1:0] v_places_choice = v_places_both_2 ? v_places_bits_4 : {v_places_both, v_places_both ? ~f_node[12] : ~f_node[14]};
+    wire [2:0] v_places_choice_2 = v_places_both_3 ? v_places_bits_3 : {v_places_both_2, v_places_choice};
 
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
@@ -2898,7 +3021,7 @@ module search_traversal (
 
     stream_skid_w18 leaf_queue (
         .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
-        .in_data({v_thread, leaf_queue_in_data_choice_4[13:0]}),
+        .in_data({v_thread, v_node_shifted_by_v_places[13:0]}),
         .out_valid(leaf_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
@@ -2966,12 +3089,13 @@ module search_traversal (
             v_odd_split <= odd_node[34:3];
             v_dimension <= v_node_choice ? odd_node[2:1] : even_node[2:1];
             v_internal_leaf <= v_node_choice ? odd_node[0] : even_node[0];
+            v_places <= {v_places_both_3, v_places_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, leaf_queue_in_data_choice_4[14], s_node[14], start_k, start_number, start_radius2, tree_beats,
-        tree_begin
+        1'b0, s_node[14], start_k, start_number, start_radius2, tree_beats, tree_begin,
+        v_node_shifted_by_v_places[14]
     };
 
 `ifdef RTL_ASSERT
@@ -3272,13 +3396,14 @@ module stream_skid_w18 (
     input  wire in_valid, output wire in_ready, input wire [17:0] in_data,
     output wire out_valid, input wire out_ready, output wire [17:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [17:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -3286,22 +3411,28 @@ module stream_skid_w18 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -3348,7 +3479,9 @@ module search_threads (
     input  wire [3:0] released_thread,  // Thread.
     output reg  event_thread_wait  // A query waited for a free thread.
 );
-    reg [15:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
+    reg [15:0] busy, waiting, exhausted, wants_pop, wants_finish;
+    reg any_free;
+    reg [15:0] behind_pop, chosen_pop;
     reg pop_shown;
     reg [15:0] behind_finish, chosen_finish;
     reg finish_shown;
@@ -3359,8 +3492,8 @@ module search_threads (
     wire descend_queue_in_ready;
     wire [18:0] descend_queue_out_data;
 
+    assign query_ready = any_free & ~start_valid & descend_queue_in_ready;
     wire [15:0] free = ~busy & (16'd0 - ~busy);
-    assign query_ready = |free & ~start_valid & descend_queue_in_ready;
     wire take = query_valid & query_ready;
     wire [15:0] released_set = {
         released_valid & (released_thread == 4'd15), released_valid & (released_thread == 4'd14),
@@ -3373,6 +3506,7 @@ module search_threads (
         released_valid & (released_thread == 4'd1), released_valid & (released_thread == 4'd0)
     };
     wire [15:0] kept = ~released_set;
+    wire [15:0] busy_next = (busy | (free & {16{take}})) & kept;
     wire [15:0] leaf_done_set = {
         leaf_done_valid & (leaf_done_thread == 4'd15), leaf_done_valid & (leaf_done_thread == 4'd14),
         leaf_done_valid & (leaf_done_thread == 4'd13), leaf_done_valid & (leaf_done_thread == 4'd12),
@@ -3507,6 +3641,7 @@ module search_threads (
             exhausted <= 16'd0;
             wants_pop <= 16'd0;
             wants_finish <= 16'd0;
+            any_free <= 1'd1;
             start_valid <= 1'd0;
             behind_pop <= 16'd0;
             chosen_pop <= 16'd0;
@@ -3532,11 +3667,12 @@ module search_threads (
             outstanding_15 <= 2'd0;
             event_thread_wait <= 1'd0;
         end else begin
-            busy <= (busy | (free & {16{take}})) & kept;
+            busy <= busy_next;
             waiting <= ((waiting & ~leaf_ended) | (reached_set & ~waiting_bits)) & kept;
             exhausted <= exhausted_now & kept;
             wants_pop <= wants_pop_either & kept;
             wants_finish <= wants_finish_either & kept;
+            any_free <= ~(&busy_next);
             start_valid <= take;
             outstanding_0 <= outstanding_0_next;
             outstanding_1 <= outstanding_1_next;
@@ -3554,7 +3690,7 @@ module search_threads (
             outstanding_13 <= outstanding_13_next;
             outstanding_14 <= outstanding_14_next;
             outstanding_15 <= outstanding_15_next;
-            event_thread_wait <= query_valid & &busy;
+            event_thread_wait <= query_valid & ~any_free;
             if (pop_advance & |wants_pop) behind_pop <= ~behind_pop_choice;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
@@ -3601,12 +3737,16 @@ module search_threads (
 `ifdef FORMAL
         query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
+        a_free_thread_is_told: assert (any_free == ~(&busy));
 `else
         if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
             $display("assertion failed: query_radius2_in_range in %m"); $stop;
         end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
+        end
+        if (!(any_free == ~(&busy))) begin
+            $display("assertion failed: a_free_thread_is_told in %m"); $stop;
         end
 `endif
     end
@@ -3620,13 +3760,14 @@ module stream_skid_w19 (
     input  wire in_valid, output wire in_ready, input wire [18:0] in_data,
     output wire out_valid, input wire out_ready, output wire [18:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [18:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -3634,22 +3775,28 @@ module stream_skid_w19 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

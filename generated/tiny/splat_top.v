@@ -4728,13 +4728,14 @@ module stream_skid_w19 (
     input  wire in_valid, output wire in_ready, input wire [18:0] in_data,
     output wire out_valid, input wire out_ready, output wire [18:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [18:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -4742,22 +4743,28 @@ module stream_skid_w19 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -4846,13 +4853,14 @@ module stream_skid_w143 (
     input  wire in_valid, output wire in_ready, input wire [142:0] in_data,
     output wire out_valid, input wire out_ready, output wire [142:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [142:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -4860,22 +4868,28 @@ module stream_skid_w143 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5364,13 +5378,14 @@ module stream_skid_w14 (
     input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
     output wire out_valid, input wire out_ready, output wire [13:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [13:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -5378,22 +5393,28 @@ module stream_skid_w14 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -5899,13 +5920,14 @@ module stream_skid_w44 (
     input  wire in_valid, output wire in_ready, input wire [43:0] in_data,
     output wire out_valid, input wire out_ready, output wire [43:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [43:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -5913,22 +5935,28 @@ module stream_skid_w44 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -6015,13 +6043,14 @@ module stream_skid_w15 (
     input  wire in_valid, output wire in_ready, input wire [14:0] in_data,
     output wire out_valid, input wire out_ready, output wire [14:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [14:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -6029,22 +6058,28 @@ module stream_skid_w15 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif

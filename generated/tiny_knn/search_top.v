@@ -253,7 +253,7 @@ module search_queue (
     output reg  event_beat  // A priority queue was done with a beat of points.
 );
     (* ram_style = "distributed" *)
-    reg [64:0] arrivals [0:1];
+    reg [66:0] arrivals [0:1];
     (* ram_style = "distributed" *)
     reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
@@ -263,7 +263,7 @@ module search_queue (
     reg [1:0] owner;
     reg [319:0] working;
     reg [3:0] fresh;
-    reg beat_valid, beat_reads, beat_pending;
+    reg beat_valid, beat_reads, beat_began, beat_pending;
     reg [1:0] beat_thread;  // Thread.
     reg [15:0] beat_address;  // Address in the point memory.
     reg beat_last;  // Closes its leaf.
@@ -283,10 +283,14 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [319:0] stored;
     wire [49:0] query;
-    reg [22:0] item_distance2_inverse;
+    reg [22:0] item_distance2_inverse, item_distance2_reset, item_distance2_inverse_reset;
     reg [15:0] item_index;  // The point's place in the point memory.
     reg [22:0] item_distance2;  // Its squared distance.
     reg [3:0] from_leaf;
+    reg last_known;
+    reg [1:0] last_thread;
+    reg second_last_known;
+    reg [1:0] second_last_thread;
     reg [319:0] sent_row;
     reg [15:0] sent_number;
     reg [3:0] position, next_position;
@@ -304,7 +308,6 @@ module search_queue (
     wire [22:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[302:280] : sent_row[262:240]) : position[0] ? sent_row[222:200] : sent_row[182:160];
     wire [22:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[142:120] : sent_row[102:80]) : position[0] ? sent_row[62:40] : sent_row[22:0];
     wire [22:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
-    wire write_back = item_reads & owned;
     wire [15:0] inserted_row_choice = nearer[7] ? (nearer[6] ? working[278:263] : new_index) : working[318:303];
     wire [22:0] radius_radius2_choice = nearer[7] ? (nearer[6] ? working[262:240] : new_distance2) : working[302:280];
     wire [15:0] inserted_row_choice_2 = nearer[6] ? (nearer[5] ? working[238:223] : new_index) : working[278:263];
@@ -341,11 +344,9 @@ module search_queue (
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire beat_free = ~beat_valid | moves;
-    wire [1:0] tail = item_valid ? item_thread : owner;
-    wire [64:0] arrivals_head = arrivals[arrivals_read_address];
-    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[64:63]);
-    wire follows_beat = beat_thread == arrivals_head[64:63];
-    wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
+    wire [66:0] arrivals_head = arrivals[arrivals_read_address];
+    wire driven_out = beat_valid & (arrivals_head[0] & ~arrivals_head[1] & ~beat_began);
+    wire take = |arrivals_count & (beat_free & ~driven_out);
     wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [319:0] initial_row = {
         17'd0, query[29:7], 17'd0, query[6] ? 23'd0 : query[29:7], 17'd0, query[5] ? 23'd0 : query[29:7],
@@ -362,34 +363,35 @@ module search_queue (
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[64:63];
+    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[66:65];
     wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire farthest_will_be_known_either = ~arrivals_head[1] | (~beat_valid & is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[64:63]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[66:65]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[45:23] < arrivals_head[22:0]) & (~farthest_will_be_known | (arrivals_head[45:23] < farthest));
+    wire beat_pending_both = (arrivals_head[47:25] < arrivals_head[24:2]) & (~farthest_will_be_known | (arrivals_head[47:25] < farthest));
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
+    wire beat_pending_choice = take ? beat_pending_both : left;
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire [7:0] nearer_entries_bits = {
-        ~item_distance2_inverse < stored[302:280], ~item_distance2_inverse < stored[262:240],
-        ~item_distance2_inverse < stored[222:200], ~item_distance2_inverse < stored[182:160],
-        item_distance2 < stored[142:120], item_distance2 < stored[102:80], item_distance2 < stored[62:40],
-        item_distance2 < stored[22:0]
+        ~item_distance2_inverse_reset < stored[302:280], ~item_distance2_inverse_reset < stored[262:240],
+        item_distance2_reset < stored[222:200], item_distance2_reset < stored[182:160],
+        ~item_distance2_inverse < stored[142:120], ~item_distance2_inverse < stored[102:80],
+        item_distance2 < stored[62:40], item_distance2 < stored[22:0]
     };
-    wire nearer_entries_in_order = ~item_distance2_inverse < working[262:240];
+    wire nearer_entries_in_order = ~item_distance2_inverse_reset < working[262:240];
     wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse < working[302:280]);
-    wire nearer_entries_in_order_3 = ~item_distance2_inverse < working[222:200];
+    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse_reset < working[302:280]);
+    wire nearer_entries_in_order_3 = item_distance2_reset < working[222:200];
     wire nearer_entries_choice_2 = nearer[5] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = ~item_distance2_inverse < working[182:160];
+    wire nearer_entries_in_order_4 = item_distance2_reset < working[182:160];
     wire nearer_entries_choice_3 = nearer[4] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = item_distance2 < working[142:120];
+    wire nearer_entries_in_order_5 = ~item_distance2_inverse < working[142:120];
     wire nearer_entries_choice_4 = nearer[3] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = item_distance2 < working[102:80];
+    wire nearer_entries_in_order_6 = ~item_distance2_inverse < working[102:80];
     wire nearer_entries_choice_5 = nearer[2] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
     wire nearer_entries_in_order_7 = item_distance2 < working[62:40];
     wire nearer_entries_choice_6 = nearer[1] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
@@ -426,7 +428,7 @@ module search_queue (
     assign result_distance2 = {1'd0, result_distance2_choice_3};
 
     memory_1w1r #(.WIDTH(320), .DEPTH(4)) rows (
-        .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .clk(clk), .write(owned), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
@@ -454,6 +456,7 @@ module search_queue (
             fresh <= 4'd0;
             beat_valid <= 1'd0;
             beat_reads <= 1'd0;
+            beat_began <= 1'd0;
             item_valid <= 1'd0;
             item_reads <= 1'd0;
             item_inserts <= 1'd0;
@@ -467,6 +470,10 @@ module search_queue (
             fetching <= 1'd0;
             sending <= 1'd0;
             readout_idle <= 1'd1;
+            item_distance2_reset <= 23'd0;
+            item_distance2_inverse_reset <= 23'd0;
+            last_known <= 1'd0;
+            second_last_known <= 1'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
         end else begin
@@ -475,7 +482,8 @@ module search_queue (
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | waits;
-            beat_reads <= take ? farthest_will_be_known_choice : (beat_reads & waits);
+            beat_reads <= take ? farthest_will_be_known_either : (beat_reads & waits);
+            beat_began <= ~take & (beat_began | moves);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
@@ -489,10 +497,14 @@ module search_queue (
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
+            item_distance2_reset <= beat_distance0;
+            item_distance2_inverse_reset <= ~beat_distance0;
             released_valid <= fetching;
             event_beat <= moves;
             if (arrivals_write_address_enable_both) begin
                 arrivals_write_address <= arrivals_write_address + 1'd1;
+                last_known <= 1'd1;
+                second_last_known <= last_known;
             end
             if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
@@ -500,7 +512,7 @@ module search_queue (
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
-        beat_pending <= take ? beat_pending_both : left;
+        beat_pending <= beat_pending_choice;
         item_thread <= beat_thread;
         item_fresh <= fresh_shifted_by_beat_thread[0];
         new_index <= item_index;
@@ -518,12 +530,16 @@ module search_queue (
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[64:63];
-            beat_address <= arrivals_head[62:47];
-            beat_last <= arrivals_head[46];
-            beat_distance0 <= arrivals_head[45:23];
+            beat_thread <= arrivals_head[66:65];
+            beat_address <= arrivals_head[64:49];
+            beat_last <= arrivals_head[48];
+            beat_distance0 <= arrivals_head[47:25];
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
+        if (arrivals_write_address_enable_both) begin
+            last_thread <= candidates_thread;
+            second_last_thread <= last_thread;
+        end
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[49:34];
@@ -537,7 +553,9 @@ module search_queue (
         if (arrivals_write_address_enable_both) begin
             arrivals[arrivals_write_address] <= {
                 candidates_thread, candidates_address, candidates_last, candidates_distance0,
-                arrivals_data_shifted[0] ? leaf_radius2 : query_radius2
+                arrivals_data_shifted[0] ? leaf_radius2 : query_radius2,
+                last_known & (last_thread == candidates_thread),
+                second_last_known & (second_last_thread == candidates_thread)
             };
         end
     end
@@ -550,23 +568,42 @@ module search_queue (
     };
 
 `ifdef RTL_ASSERT
+    reg beat_settled;
+
     wire [3:0] check_shifted = fresh >> readout_thread;
+    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == arrivals_head[66:65]);
+    wire check_choice = beat_valid ? (arrivals_head[1] == (beat_thread == arrivals_head[66:65])) : (arrivals_head[1] == check_both);
+    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (arrivals_head[0] == check_both)));
+
+    always @(posedge clk) beat_settled <= ~beat_pending_choice;
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        k_fits_a_row: assert (~start_valid | (|start_k & (start_k <= 4'd8)));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
+        whom_a_beat_follows_is_told: assert (~(|arrivals_count) | check_both_2);
+        pending_or_settled: assert (~beat_valid | (beat_pending ^ beat_settled));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(~start_valid | (|start_k & (start_k <= 4'd8)))) begin
+            $display("assertion failed: k_fits_a_row in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
             $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
+        end
+        if (!(~(|arrivals_count) | check_both_2)) begin
+            $display("assertion failed: whom_a_beat_follows_is_told in %m"); $stop;
+        end
+        if (!(~beat_valid | (beat_pending ^ beat_settled))) begin
+            $display("assertion failed: pending_or_settled in %m"); $stop;
         end
         if (!(readout_idle == ~(fetching | sending))) begin
             $display("assertion failed: idle_when_neither in %m"); $stop;
@@ -619,7 +656,7 @@ module search_sieve (
     reg [22:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
     reg [3:0] from_leaf;
     reg [22:0] radius2;
-    reg s2_valid, s2_survives;
+    reg s2_valid, s2_empty, s2_survives;
     reg [1:0] s2_thread;  // Thread.
     reg [15:0] s2_address;  // Address in the point memory.
     reg s2_last;  // Closes its leaf.
@@ -634,12 +671,11 @@ module search_sieve (
     wire kept_queue_in_ready;
     wire [41:0] kept_queue_out_data;
 
+    wire decides_early = s2_empty | (~(held_valid & (held_last | s2_survives)) | kept_queue_in_ready);
+    wire advance = ~s1_valid | decides_early;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
-    wire proceeds = ~displaced | kept_queue_in_ready;
-    wire decides = ~s2_valid | proceeds;
-    wire advance = ~s1_valid | decides;
     wire leaves = displaced & kept_queue_in_ready;
     wire [1:0] candidates_queue_out_thread = candidates_queue_out_data[41:40];
     wire [15:0] candidates_queue_out_address = candidates_queue_out_data[39:24];
@@ -656,6 +692,9 @@ module search_sieve (
     wire [3:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
     wire [22:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [22:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire proceeds = ~displaced | kept_queue_in_ready;
+    wire decides = ~s2_valid | proceeds;
+    wire s2_valid_choice = decides ? s1_valid : s2_valid;
     wire keep = near & proceeds;
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
@@ -678,11 +717,13 @@ module search_sieve (
         if (rst) begin
             s1_valid <= 1'd0;
             s2_valid <= 1'd0;
+            s2_empty <= 1'd1;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
             if (advance) s1_valid <= candidates_queue_out_valid;
-            if (decides) s2_valid <= s1_valid;
+            s2_valid <= s2_valid_choice;
+            s2_empty <= ~s2_valid_choice;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
         end
@@ -720,9 +761,17 @@ module search_sieve (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        s2_valid_or_empty: assert (s2_valid ^ s2_empty);
+        decides_as_early: assert (decides == decides_early);
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(s2_valid ^ s2_empty)) begin
+            $display("assertion failed: s2_valid_or_empty in %m"); $stop;
+        end
+        if (!(decides == decides_early)) begin
+            $display("assertion failed: decides_as_early in %m"); $stop;
         end
 `endif
     end
@@ -808,13 +857,14 @@ module stream_skid_w42 (
     input  wire in_valid, output wire in_ready, input wire [41:0] in_data,
     output wire out_valid, input wire out_ready, output wire [41:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [41:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -822,22 +872,28 @@ module stream_skid_w42 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -891,7 +947,7 @@ module search_leaf (
     wire [19:0] f0_found;
     reg [15:0] f1_begin;  // The first beat.
     reg [3:0] f1_beats;  // The number of beats, at least one.
-    reg query_valid;
+    reg query_valid, query_empty;
     reg [1:0] points_thread;  // Thread.
     reg [15:0] points_address;  // Address in the point memory.
     reg points_last;  // Closes its leaf.
@@ -913,7 +969,9 @@ module search_leaf (
     wire [5:0] leaf_queue_out_leaf = leaf_queue_out_data[5:0];
     wire query_advance = ~query_valid | distance_in_ready;
     wire [1:0] beat_queue_out_thread = beat_queue_out_data[90:89];
+    wire beat_queue_out_ready = query_empty | distance_in_ready;
     wire [1:0] leaf_queue_out_thread = leaf_queue_out_data[7:6];
+    wire query_valid_choice = query_advance ? beat_queue_out_valid : query_valid;
     wire [15:0] beat_queue_out_address = beat_queue_out_data[88:73];
     wire beat_queue_out_last = beat_queue_out_data[72];
     wire [23:0] beat_queue_out_x0 = beat_queue_out_data[71:48];
@@ -948,7 +1006,7 @@ module search_leaf (
     stream_skid_w91 beat_queue (
         .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_ready),
         .in_data({beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0}),
-        .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
@@ -964,12 +1022,14 @@ module search_leaf (
             f0_valid <= 1'd0;
             f1_valid <= 1'd0;
             query_valid <= 1'd0;
+            query_empty <= 1'd1;
         end else begin
             if (table_advance) begin
                 f0_valid <= leaf_queue_out_valid;
                 f1_valid <= f0_valid;
             end
-            if (query_advance) query_valid <= beat_queue_out_valid;
+            query_valid <= query_valid_choice;
+            query_empty <= ~query_valid_choice;
         end
     end
     always @(posedge clk) begin
@@ -996,12 +1056,16 @@ module search_leaf (
 `ifdef FORMAL
         no_leaf_is_looked_up_while_one_is_written: assert (~(writes_leaf & leaf_queue_out_valid));
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        query_valid_or_empty: assert (query_valid ^ query_empty);
 `else
         if (!(~(writes_leaf & leaf_queue_out_valid))) begin
             $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m"); $stop;
         end
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(query_valid ^ query_empty)) begin
+            $display("assertion failed: query_valid_or_empty in %m"); $stop;
         end
 `endif
     end
@@ -1210,13 +1274,14 @@ module stream_skid_w91 (
     input  wire in_valid, output wire in_ready, input wire [90:0] in_data,
     output wire out_valid, input wire out_ready, output wire [90:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [90:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -1224,22 +1289,28 @@ module stream_skid_w91 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1254,13 +1325,14 @@ module stream_skid_w22 (
     input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
     output wire out_valid, input wire out_ready, output wire [21:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [21:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -1268,22 +1340,28 @@ module stream_skid_w22 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1443,13 +1521,14 @@ module stream_skid_w2 (
     input  wire in_valid, output wire in_ready, input wire [1:0] in_data,
     output wire out_valid, input wire out_ready, output wire [1:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [1:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -1457,22 +1536,28 @@ module stream_skid_w2 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -1605,6 +1690,7 @@ module search_traversal (
     reg [23:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
+    reg [2:0] v_places;
     wire [71:0] query;
 
     wire descend_queue_out_valid;
@@ -1632,9 +1718,7 @@ module search_traversal (
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [6:0] leaf_queue_in_data_choice = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
-    wire [6:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[6:5] == 2'd0) ? (leaf_queue_in_data_choice << 2) : leaf_queue_in_data_choice;
-    wire [6:0] leaf_queue_in_data_choice_3 = ~leaf_queue_in_data_choice_2[6] ? (leaf_queue_in_data_choice_2 << 1) : leaf_queue_in_data_choice_2;
+    wire [6:0] v_node_shifted_by_v_places = v_node << v_places;
     wire left_choice = s_dimension[1] ? less_z_odd_y : s_dimension[0] ? less_y_odd_y : less_x_odd_y;
     wire left_choice_2 = s_dimension[1] ? less_z_even_y : s_dimension[0] ? less_y_even_y : less_x_even_y;
     wire left = s_node[0] ? left_choice : left_choice_2;
@@ -1643,6 +1727,11 @@ module search_traversal (
     wire [1:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
     wire v_node_choice = f_is_child ? ~left : f_node[0];
     wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
+    wire not_f_node_6_and_not_f_node_5 = ~f_node[6] & ~f_node[5];
+    wire v_places_both = not_f_node_6_and_not_f_node_5 & (~f_node[4] & ~f_node[3]);
+    wire not_f_node_2_and_not_f_node_1 = ~f_node[2] & ~f_node[1];
+    wire [1:0] v_places_bits = {not_f_node_2_and_not_f_node_1, not_f_node_2_and_not_f_node_1 ? 1'd0 : ~f_node[2]};
+    wire [1:0] v_places_bits_2 = {not_f_node_6_and_not_f_node_5, not_f_node_6_and_not_f_node_5 ? ~f_node[4] : ~f_node[6]};
 
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
@@ -1681,7 +1770,7 @@ module search_traversal (
 
     stream_skid_w8 leaf_queue (
         .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
-        .in_data({v_thread, leaf_queue_in_data_choice_3[5:0]}),
+        .in_data({v_thread, v_node_shifted_by_v_places[5:0]}),
         .out_valid(leaf_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
@@ -1748,12 +1837,13 @@ module search_traversal (
             v_odd_split <= odd_node[26:3];
             v_dimension <= v_node_choice ? odd_node[2:1] : even_node[2:1];
             v_internal_leaf <= v_node_choice ? odd_node[0] : even_node[0];
+            v_places <= {v_places_both, v_places_both ? v_places_bits : v_places_bits_2};
         end
     end
 
     wire _unused = &{
-        1'b0, leaf_queue_in_data_choice_3[6], s_node[6], start_k, start_number, start_radius2, tree_beats,
-        tree_begin
+        1'b0, s_node[6], start_k, start_number, start_radius2, tree_beats, tree_begin,
+        v_node_shifted_by_v_places[6]
     };
 
 `ifdef RTL_ASSERT
@@ -2036,13 +2126,14 @@ module stream_skid_w8 (
     input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
     output wire out_valid, input wire out_ready, output wire [7:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [7:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -2050,22 +2141,28 @@ module stream_skid_w8 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
@@ -2112,7 +2209,9 @@ module search_threads (
     input  wire [1:0] released_thread,  // Thread.
     output reg  event_thread_wait  // A query waited for a free thread.
 );
-    reg [3:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
+    reg [3:0] busy, waiting, exhausted, wants_pop, wants_finish;
+    reg any_free;
+    reg [3:0] behind_pop, chosen_pop;
     reg pop_shown;
     reg [3:0] behind_finish, chosen_finish;
     reg finish_shown, outstanding_0, outstanding_1, outstanding_2, outstanding_3;
@@ -2120,14 +2219,15 @@ module search_threads (
     wire descend_queue_in_ready;
     wire [8:0] descend_queue_out_data;
 
+    assign query_ready = any_free & ~start_valid & descend_queue_in_ready;
     wire [3:0] free = ~busy & (4'd0 - ~busy);
-    assign query_ready = |free & ~start_valid & descend_queue_in_ready;
     wire take = query_valid & query_ready;
     wire [3:0] released_set = {
         released_valid & (released_thread == 2'd3), released_valid & (released_thread == 2'd2),
         released_valid & (released_thread == 2'd1), released_valid & (released_thread == 2'd0)
     };
     wire [3:0] kept = ~released_set;
+    wire [3:0] busy_next = (busy | (free & {4{take}})) & kept;
     wire [3:0] leaf_done_set = {
         leaf_done_valid & (leaf_done_thread == 2'd3), leaf_done_valid & (leaf_done_thread == 2'd2),
         leaf_done_valid & (leaf_done_thread == 2'd1), leaf_done_valid & (leaf_done_thread == 2'd0)
@@ -2193,6 +2293,7 @@ module search_threads (
             exhausted <= 4'd0;
             wants_pop <= 4'd0;
             wants_finish <= 4'd0;
+            any_free <= 1'd1;
             start_valid <= 1'd0;
             behind_pop <= 4'd0;
             chosen_pop <= 4'd0;
@@ -2206,17 +2307,18 @@ module search_threads (
             outstanding_3 <= 1'd0;
             event_thread_wait <= 1'd0;
         end else begin
-            busy <= (busy | (free & {4{take}})) & kept;
+            busy <= busy_next;
             waiting <= ((waiting & ~leaf_ended) | (reached_set & ~waiting_bits)) & kept;
             exhausted <= exhausted_now & kept;
             wants_pop <= wants_pop_either & kept;
             wants_finish <= wants_finish_either & kept;
+            any_free <= ~(&busy_next);
             start_valid <= take;
             outstanding_0 <= outstanding_0_next;
             outstanding_1 <= outstanding_1_next;
             outstanding_2 <= outstanding_2_next;
             outstanding_3 <= outstanding_3_next;
-            event_thread_wait <= query_valid & &busy;
+            event_thread_wait <= query_valid & ~any_free;
             if (pop_advance & |wants_pop) behind_pop <= ~behind_pop_choice;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
@@ -2249,12 +2351,16 @@ module search_threads (
 `ifdef FORMAL
         query_radius2_in_range: assert (~query_valid | (query_radius2 < 24'h800000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
+        a_free_thread_is_told: assert (any_free == ~(&busy));
 `else
         if (!(~query_valid | (query_radius2 < 24'h800000))) begin
             $display("assertion failed: query_radius2_in_range in %m"); $stop;
         end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
+        end
+        if (!(any_free == ~(&busy))) begin
+            $display("assertion failed: a_free_thread_is_told in %m"); $stop;
         end
 `endif
     end
@@ -2268,13 +2374,14 @@ module stream_skid_w9 (
     input  wire in_valid, output wire in_ready, input wire [8:0] in_data,
     output wire out_valid, input wire out_ready, output wire [8:0] out_data
 );
-    reg head_filled, second_filled;
+    reg head_filled, second_filled, room;
     reg [8:0] head, second;
 
-    assign in_ready = ~second_filled;
     wire advance = ~head_filled | out_ready;
     wire some_item = second_filled | in_valid;
+    wire not_advance_and_some_item = ~advance & some_item;
 
+    assign in_ready = room;
     assign out_valid = head_filled;
     assign out_data = head;
 
@@ -2282,22 +2389,28 @@ module stream_skid_w9 (
         if (rst) begin
             head_filled <= 1'd0;
             second_filled <= 1'd0;
+            room <= 1'd1;
         end else begin
-            head_filled <= advance ? some_item : head_filled;
-            second_filled <= ~advance & some_item;
+            if (advance) head_filled <= some_item;
+            second_filled <= not_advance_and_some_item;
+            room <= ~not_advance_and_some_item;
         end
     end
     always @(posedge clk) begin
         if (advance) head <= second_filled ? second : in_data;
-        if (in_ready) second <= in_data;
+        if (~second_filled) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        second_waits_behind_head: assert (head_filled | in_ready);
+        second_filled_or_room: assert (second_filled ^ room);
+        second_waits_behind_head: assert (head_filled | ~second_filled);
 `else
-        if (!(head_filled | in_ready)) begin
+        if (!(second_filled ^ room)) begin
+            $display("assertion failed: second_filled_or_room in %m"); $stop;
+        end
+        if (!(head_filled | ~second_filled)) begin
             $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
 `endif
