@@ -138,8 +138,13 @@ impl Fill {
         m.next_if(kept_before, taken, kept);
 
         let store = m.wire("store", taken & kept);
+        // Written a cycle later, for what says whether is late: what is complete is read two cycles later, at the soonest.
         let points = m.memory_unordered("points", slots * slot_beats(config), width::<Points>(config));
-        m.write(points, store, word_of(config, slot, *count), item.pack(config));
+        let stores = m.reg_reset("stores", 1, 0);
+        m.next(stores, store);
+        let stored = [("stored_at", word_of(config, slot, *count)), ("stored_points", item.pack(config))];
+        let [at, item] = stored.map(|(name, value)| held(m, name, bit(true), value));
+        m.write(points, stores, at, item);
         let begins = store & !under_way;
         let tags = m.memory_distributed("tags", slots, address.width());
         m.write(tags, begins, slot, address);
@@ -227,7 +232,7 @@ pub fn module(config: &Config) -> Module {
     let step = m.wire("run_step", flows & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
     m.next(run.valid, hits | (run.valid & !(step & run_last)));
-    // Never in a cycle in which one is stored: what is written need not be told from what is read.
+    // Never of a slot that is written: what is written need not be told from what is read.
     let read = m.read_if(stored.points, "read", step, word_of(config, run.request.slot, *run_count));
 
     let [r_valid, r_empty] = twins(&mut m, ["r_valid", "r_empty"]);
