@@ -335,6 +335,9 @@ module search_point_cache (
     reg [21:0] run_address;  // First beat.
     reg [2:0] run_beats;  // Number of beats, at least one.
     reg [5:0] run_slot;  // The slot.
+    reg stores;
+    reg [7:0] stored_at;
+    reg [383:0] stored_points;
     reg began, complete;
     reg [5:0] changed_slot;
     reg [63:0] present;
@@ -385,15 +388,6 @@ module search_point_cache (
 
     wire flows = r_empty | (s_empty | beat_queue_in_ready);
     wire runs = run_valid & ~fill_under_way;
-    wire fill_queue_out_ready = flows & ~runs;
-    wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
-    wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
-    wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
-    wire may_keep_both = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
-    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | may_keep_both);
-    wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
-    wire store = fill_taken & fill_kept;
-    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
     wire run_step = flows & runs;
     wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
     wire hit = l_present & &l_same;
@@ -402,12 +396,21 @@ module search_point_cache (
     wire advance_l = ~l_valid | (hits | misses);
     wire advance_s = ~s_valid | beat_queue_in_ready;
     wire [5:0] fill_queue_in_data_unequal = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12] ^ {2'd0, fill_address[21:18]};
+    wire fill_queue_out_ready = flows & ~runs;
+    wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
     wire fill_queue_out_last = fill_queue_out_data[390];
+    wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
+    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
+    wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
+    wire may_keep_both = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
+    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | may_keep_both);
+    wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
     wire [3:0] fetch_queue_out_thread = fetch_queue_out_data[34:31];
     wire [21:0] fetch_queue_out_address = fetch_queue_out_data[30:9];
     wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
     wire [2:0] run_count_plus_1 = run_count + 3'd1;
     wire run_last = run_count_plus_1 == run_beats;
+    wire store = fill_taken & fill_kept;
     wire store_and_not_fill_under_way = store & ~fill_under_way;
     wire changed_slot_is_63 = changed_slot == 6'd63;
     wire changed_slot_is_62 = changed_slot == 6'd62;
@@ -552,8 +555,7 @@ module search_point_cache (
     } = beat_queue_out_data;
 
     memory_1w1r_unordered #(.WIDTH(384), .DEPTH(256)) points (
-        .clk(clk), .write(store), .write_address({fill_slot, fill_count[1:0]}),
-        .write_data(fill_queue_out_data[389:6]),
+        .clk(clk), .write(stores), .write_address(stored_at), .write_data(stored_points),
         .read(run_step), .read_address({run_slot, run_count[1:0]}), .read_data(read)
     );
 
@@ -592,6 +594,7 @@ module search_point_cache (
             fill_count <= 3'd0;
             l_valid <= 1'd0;
             run_valid <= 1'd0;
+            stores <= 1'd0;
             began <= 1'd0;
             complete <= 1'd0;
             present <= 64'd0;
@@ -609,6 +612,7 @@ module search_point_cache (
             end
             if (advance_l) l_valid <= fetch_queue_out_valid;
             run_valid <= hits | (run_valid & ~(run_step & run_last));
+            stores <= store;
             began <= store_and_not_fill_under_way;
             complete <= store & fill_queue_out_last;
             present <= (present & ~present_bits) | present_bits_2;
@@ -623,6 +627,8 @@ module search_point_cache (
     end
     always @(posedge clk) begin
         fill_slot_before <= fill_slot;
+        stored_at <= {fill_slot, fill_count[1:0]};
+        stored_points <= fill_queue_out_data[389:6];
         changed_slot <= fill_slot;
         l_present <= advance_l ? l_present_either : (l_present | l_present_both);
         if (fill_taken) fill_kept_before <= fill_kept;
