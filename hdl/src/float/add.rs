@@ -43,10 +43,11 @@ fn sum(pipe: &mut Pipe, format: Format) -> Expr {
     let infinite = pipe.carry("infinite", a.infinite | b.infinite);
     let mut subtract = pipe.carry("subtract", a.sign ^ b.sign);
     let mut limit = pipe.carry("limit", swap.mux(b.exponent, a.exponent));
+    let [large, small] = by_magnitude(format, swap, &a, &b);
     let [distance, large, small] = pipe.cut([
         ("distance", swap.mux(b.exponent - a.exponent, a.exponent - b.exponent)),
-        ("large", swap.mux(b.significand, a.significand)),
-        ("small", swap.mux(a.significand, b.significand)),
+        ("large", large),
+        ("small", small),
     ]);
 
     let room = lit(EXTRA, 0);
@@ -59,6 +60,18 @@ fn sum(pipe: &mut Pipe, format: Format) -> Expr {
     let (large, aligned) = (cat([large, room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
     let sum = add_or_subtract(large, aligned, pipe.arrive(&mut subtract));
     normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
+}
+
+/// The significands of the larger operand and of the other; `b` is larger where `swap` is set.
+fn by_magnitude(format: Format, swap: Expr, a: &Operand, b: &Operand) -> [Expr; 2] {
+    if format.subnormals == Subnormals::Keep {
+        return [swap.mux(b.significand, a.significand), swap.mux(a.significand, b.significand)];
+    }
+    // The larger one is flushed where both are, the other where either is: that is known before `swap`.
+    let [a_fraction, b_fraction] = [a, b].map(|operand| operand.magnitude.trunc(format.mantissa));
+    let flushed = |normal: Expr, fraction: Expr| cat([normal, fraction & normal.repeat(format.mantissa)]);
+    let [large, small] = [swap.mux(b_fraction, a_fraction), swap.mux(a_fraction, b_fraction)];
+    [flushed(!(a.zero & b.zero), large), flushed(!(a.zero | b.zero), small)]
 }
 
 /// A sum before its leading one is found.
