@@ -238,7 +238,7 @@ pub fn module(config: &Config) -> Module {
     let [r_valid, r_empty] = twins(&mut m, ["r_valid", "r_empty"]);
     let [s_valid, s_empty] = twins(&mut m, ["s_valid", "s_empty"]);
     let advance_s = m.wire("advance_s", !s_valid | beat.room);
-    m.drive(advance_r, !r_valid | advance_s);
+    m.drive(advance_r, !r_valid | (s_empty | beat.room));
     m.drive(flows, r_empty | (s_empty | beat.room));
     let r_next = advance_r.mux(runs | fill.head.valid, r_valid);
     next_twins(&mut m, "r_valid_or_empty", [r_valid, r_empty], r_next);

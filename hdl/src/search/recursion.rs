@@ -8,6 +8,7 @@ use pointcore_contract::search::units::recursion::PORTS;
 use super::parts::radii::radii;
 use super::parts::sets::{contains, decode};
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::twins::{next_twins, twins};
 use crate::units::wires::Bundle;
 use rtl::Module;
 
@@ -24,11 +25,14 @@ pub fn module(config: &Config) -> Module {
     let top = PORTS.top.declare(&mut m, config);
     let resume = PORTS.resume.queue(&mut m, config);
 
-    let [r0_valid, r1_valid, r2_valid] = ["r0_valid", "r1_valid", "r2_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let [r0_valid, r1_valid] = ["r0_valid", "r1_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let [r2_valid, r2_empty] = twins(&mut m, ["r2_valid", "r2_empty"]);
     let [r0_thread, r1_thread, r2_thread] =
         ["r0_thread", "r1_thread", "r2_thread"].map(|name| m.reg(name, thread_bits));
     let advance = m.wire("advance", !r2_valid | resume.room);
-    PORTS.pop.drive(&mut m, config, advance & r0_valid, Thread { thread: *r0_thread });
+    // `advance` moves all stages; the stacks, which have far to go, are asked by other registers.
+    let pops = m.wire("pops", (r2_empty | resume.room) & r0_valid);
+    PORTS.pop.drive(&mut m, config, pops, Thread { thread: *r0_thread });
     m.next_if(r1_valid, advance, r0_valid);
     m.next_if(r1_thread, advance, r0_thread);
 
@@ -37,7 +41,7 @@ pub fn module(config: &Config) -> Module {
     m.assert("a_query_begins_before_its_thread_pops", !r0_valid | contains(begun, r0_thread));
 
     // The path comes late in its cycle, from the memory of the stacks.
-    m.next_if(r2_valid, advance, r1_valid);
+    next_twins(&mut m, "r2_valid_or_empty", [r2_valid, r2_empty], advance.mux(r1_valid, r2_valid));
     m.next_if(r2_thread, advance, r1_thread);
     let found = m.reg("found", 1);
     m.next_if(found, advance, !top_empty);

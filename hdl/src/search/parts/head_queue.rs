@@ -17,8 +17,10 @@ pub(crate) struct HeadQueue<B> {
     items: Memory,
     depth: u32,
     count: Reg,
-    write_address: Reg,
-    read_address: Reg,
+    /// Where the next item is written.
+    pub write_address: Reg,
+    /// Where the head is.
+    pub read_address: Reg,
 }
 
 impl<B: Bundle> HeadQueue<B> {

@@ -6,28 +6,26 @@
 //! found in `c`, and which is moved there in `d`. What moves a stage's hundreds of flip-flops is known early in the cycle:
 //! beats wait in a memory, for whether one is taken is known late.
 
+mod arrivals;
 mod readout;
 mod row;
 mod tokens;
 
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{Candidates, Radius, Start, Thread};
+use pointcore_contract::search::records::{Radius, Start, Thread};
 use pointcore_contract::search::units::queue::PORTS;
 use pointcore_contract::{record, width};
 
-use super::parts::head_queue::HeadQueue;
 use super::parts::neighbor::without_sign;
 use super::parts::radii::radii_now;
 use super::parts::sets::{contains, decode, set};
 use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts};
 use crate::units::wires::{Bundle, Wires};
+use arrivals::{Arrival, Arrivals, Caller};
 use readout::{Readout, Rows, Whose};
 use row::{Entry, entries, initial, insert, placeholders, row, row_bits, sentinels};
 use rtl::{Expr, Module, Reg, Wire, bit, lit};
 use tokens::{Beat, Candidate, Choice, Insertion, Item, near_lanes};
-
-/// Beats that wait.
-const BEATS: u32 = 2;
 
 /// What is kept of a thread's query: what `start` says, and what follows for its row.
 #[record(config: Config)]
@@ -58,42 +56,12 @@ fn queries(m: &mut Module, config: &Config, start: &Pulse<Start<Wires>>, thread:
     KeptQuery::unpack(config, word)
 }
 
-/// A beat on its way.
-#[record(config: Config)]
-struct Arrival {
-    /// The beat.
-    candidates: Candidates,
-    /// The squared radius of its thread's last leaf as it came in.
-    #[bits(config.square_bits())]
-    limit: u32,
-    /// It is of the thread of the beat before it.
-    follows: bool,
-    /// It is of the thread of the beat before that one.
-    follows_second: bool,
-}
-
-impl Arrival<Wires> {
-    /// A beat that comes in where `comes` is set. Of which threads those before it were is compared here, for behind the queue it is
-    /// asked late in a cycle.
-    fn new(m: &mut Module, config: &Config, comes: Expr, candidates: Candidates<Wires>, limit: Expr) -> Self {
-        let thread = candidates.place.thread.thread;
-        let mut before = (bit(true), thread);
-        let [follows, follows_second] = ["last", "second_last"].map(|name| {
-            let is_known = m.reg_reset(&format!("{name}_known"), 1, 0);
-            let its_thread = m.reg(&format!("{name}_thread"), config.thread_bits());
-            m.next_if(is_known, comes, before.0);
-            m.next_if(its_thread, comes, before.1);
-            before = (is_known.expr(), its_thread.expr());
-            is_known & its_thread.eq(thread)
-        });
-        Self { candidates, limit, follows, follows_second }
-    }
-}
-
 /// The working row and whose it is.
 struct Working {
     owned: Reg,
     owner: Reg,
+    /// Its inverse, for who asks whose row it is: `owner` says where the row is written.
+    not_owner: Reg,
     row: Reg,
     /// The threads whose rows hold nothing of their searches yet.
     fresh: Reg,
@@ -104,6 +72,7 @@ impl Working {
         Self {
             owned: m.reg_reset("owned", 1, 0),
             owner: m.reg("owner", config.thread_bits()),
+            not_owner: m.reg("not_owner", config.thread_bits()),
             row: m.reg("working", row_bits(config)),
             fresh: m.reg_reset("fresh", config.threads, 0),
         }
@@ -143,7 +112,7 @@ struct Fetch {
 /// What the stages refer to.
 struct Stages<'a> {
     config: &'a Config,
-    arrivals: HeadQueue<Arrival<Wires>>,
+    arrivals: Arrivals,
     working: Working,
     beat: Beat,
     item: Item,
@@ -159,12 +128,11 @@ impl Stages<'_> {
     /// a: the next beat. A row that the beat at work will drive out is not in memory when the next beat's is read. Returns
     /// whether the beat is taken, and whether its row is to be read then.
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
-        let Self { arrivals, beat, item, working, .. } = self;
-        let Arrival { candidates, follows, follows_second, .. } = arrivals.head;
-        let head_thread = candidates.place.thread.thread;
+        let Self { arrivals: Arrivals { callers, .. }, beat, item, working, .. } = self;
+        let Caller { thread: Thread { thread: head_thread }, follows, follows_second } = callers.head;
         let driven_out = m.wire("driven_out", beat.valid & ((follows_second & !follows) & !beat.began));
         m.drive(free, !beat.valid | choice.ends);
-        let take = m.wire("take", arrivals.holds & (free & !driven_out));
+        let take = m.wire("take", callers.holds & (free & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
         let is_fresh = m.wire("is_fresh", contains(working.fresh, head_thread));
         let take_reads = !follows | (!beat.valid & is_fresh);
@@ -174,17 +142,16 @@ impl Stages<'_> {
         let follows_tail = (item.valid | working.owned) & tail.eq(head_thread);
         let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
         let second_told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
-        m.assert("whom_a_beat_follows_is_told", !arrivals.holds | (told & second_told));
+        m.assert("whom_a_beat_follows_is_told", !callers.holds | (told & second_told));
         (take, take_reads)
     }
 
     /// a: pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
     fn arriving_lanes(&self, m: &mut Module, farthest: &Farthest, take_reads: Expr) -> Expr {
-        let Arrival { candidates, limit, .. } = &self.arrivals.head;
-        let is_farthest = farthest.thread.eq(candidates.place.thread.thread);
+        let is_farthest = farthest.thread.eq(self.arrivals.callers.head.thread.thread);
         let will_be_known = farthest.is_current & (is_farthest & !take_reads);
         let will_be_known = m.wire("farthest_will_be_known", will_be_known);
-        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, *farthest.distance)])
+        self.arrivals.near_lanes(self.config, will_be_known, *farthest.distance)
     }
 
     /// b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
@@ -205,9 +172,19 @@ impl Stages<'_> {
         m.next(item.valid, fetch.moves);
         m.next(item.reads, fetch.reads);
         m.next(item.stays, !fetch.reads);
-        m.next(item.inserts, fetch.moves & choice.any);
+        let is_fresh = contains(working.fresh, thread);
+        let inserts = fetch.moves & choice.any;
+        m.next(item.inserts_here, inserts & !beat.reads);
+        let from_initial = match item.inserts_stored {
+            Some(stored) => {
+                m.next(stored, inserts & (beat.reads & !is_fresh));
+                is_fresh
+            }
+            None => bit(true),
+        };
+        m.next(item.inserts_initial, inserts & (beat.reads & from_initial));
         m.next(item.last, choice.ends & beat.record.place.last);
-        m.next(item.fresh, contains(working.fresh, thread));
+        m.next(item.fresh, is_fresh);
         m.next(item.thread, thread);
         let candidate = Candidate::register(m, config, choice.entry);
         let started = decode(start.valid, start.record.thread.thread, config.threads);
@@ -223,17 +200,22 @@ impl Stages<'_> {
         let nearer = are_nearer(*working.row);
         let than_inserted = candidate.entry.neighbor.distance2.lt(insertion.entry.neighbor.distance2);
         let nearer_now = insert(&nearer, *insertion.nearer, &than_inserted, |here, a, b| here.mux(*a, *b));
-        let nearer_stored = fetch.stored.map(|row| set(&are_nearer(row)));
         let read = |initial: Expr, stored: Option<Expr>| match stored {
             Some(stored) => item.fresh.mux(initial, stored),
             None => initial,
         };
-        let nearer_read = read(placeholders(config, fetch.query.sentinels), nearer_stored);
-        let nearer = m.wire("nearer_entries", item.reads.mux(nearer_read, set(&nearer_now)));
+        // What a comparison says is late: which of them counts was chosen a cycle before.
+        let of = |inserts: Reg, nearer: Expr| nearer & inserts.repeat(config.neighbors);
+        let placeholders = placeholders(config, fetch.query.sentinels);
+        let now_or_initial = of(item.inserts_here, set(&nearer_now)) | of(item.inserts_initial, placeholders);
+        let stored = fetch.stored.zip(item.inserts_stored).map(|(row, inserts)| of(inserts, set(&are_nearer(row))));
+        let nearer = stored.map_or(now_or_initial, |stored| now_or_initial | stored);
         insertion.take(m, config, item, nearer, candidate);
         m.next(working.row, item.stays.mux(inserted.row, read(fetch.initial, fetch.stored)));
         m.next_if(working.owner, item.valid, item.thread);
+        m.next_if(working.not_owner, item.valid, !item.thread);
         m.next(working.owned, working.owned | item.valid);
+        m.assert("owner_or_not", !working.owned | (working.owner ^ working.not_owner).all());
     }
 
     /// d: the neighbor is moved to its place in the working row.
@@ -303,11 +285,11 @@ pub fn module(config: &Config) -> Module {
     m.assert("k_fits_a_row", !start.valid | (k.any() & lit(config.rank_bits(), config.neighbors.into()).ge(k)));
     let candidates = PORTS.candidates.declare(&mut m, config);
     let finish = PORTS.finish.queue(&mut m, config);
-    let arrivals = HeadQueue::<Arrival<Wires>>::new(&mut m, config, "arrivals", BEATS);
-    m.drive(candidates.ready, arrivals.room);
+    let arrivals = Arrivals::new(&mut m, config);
+    m.drive(candidates.ready, arrivals.callers.room);
     let working = Working::new(&mut m, config);
     let free = m.forward("beat_free", 1);
-    let beat = Beat::new(&mut m, config, arrivals.head.candidates, free);
+    let beat = Beat::new(&mut m, config, arrivals.head(config), free);
     let item = Item::new(&mut m, config);
     let insertion = Insertion::new(&mut m, config);
     let stages = Stages { config, arrivals, working, beat, item, insertion };
@@ -316,7 +298,8 @@ pub fn module(config: &Config) -> Module {
     // What a stage asks for comes from later ones.
     let inserted = stages.insert(&mut m);
     let farthest = stages.farthest(&mut m, &inserted);
-    let whose = Whose { fresh: *working.fresh, owned: *working.owned, owner: *working.owner, displaced: *item.reads };
+    let whose =
+        Whose { fresh: *working.fresh, owned: *working.owned, owner: !working.not_owner, displaced: *item.reads };
     let readout = Readout::new(&mut m, config, &finish, &whose);
     let fetch = stages.fetch(&mut m, &start, &readout, finish.record.thread, &inserted);
     let (choice, left, candidate) = stages.choose(&mut m, &fetch, &farthest, &start);
@@ -324,8 +307,7 @@ pub fn module(config: &Config) -> Module {
     let writers = [start.into(), inserted.radius.into()];
     let limit = radii_now(&mut m, config, writers, candidates.record.place.thread.thread);
     let comes = candidates.transfer();
-    let arriving = Arrival::new(&mut m, config, comes, candidates.record, limit);
-    arrivals.update(&mut m, config, comes, arriving, take);
+    arrivals.update(&mut m, config, comes, Arrival { candidates: candidates.record, limit }, take);
     let arriving_lanes = stages.arriving_lanes(&mut m, &farthest, take_reads);
     beat.next_pending(&mut m, take.mux(arriving_lanes, left));
     stages.compare(&mut m, candidate, &fetch, &inserted);

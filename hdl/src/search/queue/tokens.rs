@@ -129,7 +129,11 @@ pub(super) struct Item {
     pub stays: Reg,
     /// That row holds nothing of its search yet.
     pub fresh: Reg,
-    pub inserts: Reg,
+    /// It is to be compared with the row at work, with the one that is read, or with the initial one. One thread alone has its row nowhere
+    /// but at work.
+    pub inserts_here: Reg,
+    pub inserts_stored: Option<Reg>,
+    pub inserts_initial: Reg,
     pub last: Reg,
     pub thread: Reg,
 }
@@ -137,10 +141,13 @@ pub(super) struct Item {
 impl Item {
     pub fn new(m: &mut Module, config: &Config) -> Self {
         let mut flag = |name: &str| m.reg_reset(&format!("item_{name}"), 1, 0);
-        let [valid, reads, inserts, last] = ["valid", "reads", "inserts", "last"].map(&mut flag);
+        let [valid, reads, last] = ["valid", "reads", "last"].map(&mut flag);
+        let [inserts_here, inserts_initial] = ["inserts_here", "inserts_initial"].map(&mut flag);
+        let inserts_stored = (config.threads > 1).then(|| flag("inserts_stored"));
         let thread = m.reg("item_thread", config.thread_bits());
         let stays = m.reg_reset("item_stays", 1, 1);
-        Self { valid, reads, stays, fresh: m.reg("item_fresh", 1), inserts, last, thread }
+        let fresh = m.reg("item_fresh", 1);
+        Self { valid, reads, stays, fresh, inserts_here, inserts_stored, inserts_initial, last, thread }
     }
 }
 
@@ -163,7 +170,7 @@ impl Insertion {
 
     /// Takes an item's candidate, which is `nearer` than some entries.
     pub fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: Candidate) {
-        m.next(self.nearer, nearer & item.inserts.repeat(self.nearer.width()));
+        m.next(self.nearer, nearer);
         self.entry.next(m, config, candidate.entry);
         m.next(self.last, item.last);
         m.next(self.thread, item.thread);
