@@ -13963,10 +13963,12 @@ module float_add_s6_f32ftz (
     wire swap = a[30:0] < b[30:0];
     wire [7:0] b_field = b[30:23];
     wire [7:0] a_field = a[30:23];
+    wire large_s1_inverted = ~(|a_field);
+    wire large_s1_inverted_2 = ~(|b_field);
+    wire large_s1_inverted_3 = ~(large_s1_inverted & large_s1_inverted_2);
     wire [22:0] b_fraction = b[22:0];
-    wire [23:0] large_s1_bits = {|b_field, b_fraction & {23{|b_field}}};
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] large_s1_bits_2 = {|a_field, a_fraction & {23{|a_field}}};
+    wire small_s1_inverted = ~(large_s1_inverted | large_s1_inverted_2);
     wire [26:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
     wire [26:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
     wire [26:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
@@ -14013,8 +14015,8 @@ module float_add_s6_f32ftz (
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
-            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            large_s1 <= {large_s1_inverted_3, (swap ? b_fraction : a_fraction) & {23{large_s1_inverted_3}}};
+            small_s1 <= {small_s1_inverted, (swap ? a_fraction : b_fraction) & {23{small_s1_inverted}}};
             large_s2 <= large_s1;
             aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[26:1], aligned_s2_either_3};
             subtract_s1 <= a_31_xor_b_31;

@@ -386,7 +386,8 @@ module search_point_cache (
     wire fill_queue_out_valid;
     wire [416:0] fill_queue_out_data;
 
-    wire flows = r_empty | (s_empty | beat_queue_in_ready);
+    wire s_empty_or_beat_queue_in_ready = s_empty | beat_queue_in_ready;
+    wire flows = r_empty | s_empty_or_beat_queue_in_ready;
     wire runs = run_valid & ~fill_under_way;
     wire run_step = flows & runs;
     wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
@@ -530,7 +531,7 @@ module search_point_cache (
     wire l_present_either = (l_present_shifted[0] & ~(began & l_present_same)) | (complete & l_present_same);
     wire changed_slot_is_l_slot = changed_slot == l_slot;
     wire l_present_both = complete & changed_slot_is_l_slot;
-    wire advance_r = ~r_valid | advance_s;
+    wire advance_r = ~r_valid | s_empty_or_beat_queue_in_ready;
     wire r_valid_choice = advance_r ? (runs | fill_queue_out_valid) : r_valid;
     wire s_valid_choice = advance_s ? r_valid : s_valid;
     wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
@@ -859,14 +860,30 @@ module search_queue (
     output reg  event_insert_wait  // A beat stayed for one more insertion.
 );
     (* ram_style = "distributed" *)
-    reg [183:0] arrivals [0:1];
+    reg [5:0] callers [0:1];
     (* ram_style = "distributed" *)
     reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [30:0] leaf_radii [0:15];
-    reg [1:0] arrivals_count;
-    reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
-    reg [3:0] owner;
+    reg [3:0] first_thread;  // Thread.
+    reg [21:0] first_address;  // Address in the point memory.
+    reg first_last;  // Closes its leaf.
+    reg [30:0] first_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] first_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] first_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] first_distance3;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] first_limit;  // The squared radius of its thread's last leaf as it came in.
+    reg [3:0] second_thread;  // Thread.
+    reg [21:0] second_address;  // Address in the point memory.
+    reg second_last;  // Closes its leaf.
+    reg [30:0] second_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] second_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] second_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] second_distance3;  // A squared distance a lane; NaN where there is no point.
+    reg [30:0] second_limit;  // The squared radius of its thread's last leaf as it came in.
+    reg [1:0] callers_count;
+    reg callers_write_address, callers_read_address, callers_has_room, reads_first, owned;
+    reg [3:0] owner, not_owner;
     reg [1791:0] working;
     reg [15:0] fresh;
     reg beat_valid, beat_reads, beat_began;
@@ -878,7 +895,7 @@ module search_queue (
     reg [30:0] beat_distance1;  // A squared distance a lane; NaN where there is no point.
     reg [30:0] beat_distance2;  // A squared distance a lane; NaN where there is no point.
     reg [30:0] beat_distance3;  // A squared distance a lane; NaN where there is no point.
-    reg item_valid, item_reads, item_inserts, item_last;
+    reg item_valid, item_reads, item_last, item_inserts_here, item_inserts_initial, item_inserts_stored;
     reg [3:0] item_thread;
     reg item_stays, item_fresh;
     reg [23:0] new_index;  // The point's place in the point memory.
@@ -1069,9 +1086,15 @@ module search_queue (
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
-    wire finished_owns = owned & (owner == finish_queue_out_data);
+    wire finished_owns = owned & (~not_owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
+    wire callers_write_address_enable_both = candidates_valid & callers_has_room;
+    wire first_thread_enable_both = callers_write_address_enable_both & ~callers_write_address;
+    wire [15:0] first_limit_shifted = from_leaf >> candidates_thread;
+    wire [30:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [30:0] query_radius2 = query_radii[candidates_thread];
+    wire [30:0] first_limit_choice = first_limit_shifted[0] ? leaf_radius2 : query_radius2;
+    wire second_thread_enable_both = callers_write_address_enable_both & callers_write_address;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire [3:0] not_beat_settled = ~beat_settled;
@@ -1079,10 +1102,10 @@ module search_queue (
     wire stays = beat_valid & (stays_either | (not_beat_settled[3] & |not_beat_settled[2:0]));
     wire ends = moves & ~stays;
     wire beat_free = ~beat_valid | ends;
-    wire [183:0] arrivals_head = arrivals[arrivals_read_address];
-    wire driven_out = beat_valid & (arrivals_head[0] & ~arrivals_head[1] & ~beat_began);
-    wire take = |arrivals_count & (beat_free & ~driven_out);
-    wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
+    wire [5:0] callers_head = callers[callers_read_address];
+    wire driven_out = beat_valid & (callers_head[0] & ~callers_head[1] & ~beat_began);
+    wire take = |callers_count & (beat_free & ~driven_out);
+    wire callers_has_room_either = (callers_count == 2'd2) | ((callers_count == 2'd1) & callers_write_address_enable_both);
     wire [1791:0] initial_row = {
         25'd0, query[61:31], 25'd0, query[30] ? 31'd0 : query[61:31], 25'd0, query[29] ? 31'd0 : query[61:31],
         25'd0, query[28] ? 31'd0 : query[61:31], 25'd0, query[27] ? 31'd0 : query[61:31], 25'd0,
@@ -1120,17 +1143,22 @@ module search_queue (
         start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
         start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[183:180];
+    wire [15:0] is_fresh_shifted = fresh >> callers_head[5:2];
     wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_either = ~arrivals_head[1] | (~beat_valid & is_fresh);
+    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[183:180]) & ~farthest_will_be_known_either;
+    wire farthest_will_be_known_both = (farthest_thread == callers_head[5:2]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[63:33] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[63:33] < farthest));
-    wire beat_pending_both_2 = (arrivals_head[94:64] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[94:64] < farthest));
-    wire beat_pending_both_3 = (arrivals_head[125:95] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[125:95] < farthest));
-    wire beat_pending_both_4 = (arrivals_head[156:126] < arrivals_head[32:2]) & (~farthest_will_be_known | (arrivals_head[156:126] < farthest));
+    wire beat_pending_both = (second_distance3 < second_limit) & (~farthest_will_be_known | (second_distance3 < farthest));
+    wire beat_pending_both_2 = (second_distance2 < second_limit) & (~farthest_will_be_known | (second_distance2 < farthest));
+    wire beat_pending_both_3 = (second_distance1 < second_limit) & (~farthest_will_be_known | (second_distance1 < farthest));
+    wire beat_pending_both_4 = (second_distance0 < second_limit) & (~farthest_will_be_known | (second_distance0 < farthest));
     wire [3:0] beat_pending_bits = {beat_pending_both, beat_pending_both_2, beat_pending_both_3, beat_pending_both_4};
+    wire beat_pending_both_5 = (first_distance3 < first_limit) & (~farthest_will_be_known | (first_distance3 < farthest));
+    wire beat_pending_both_6 = (first_distance2 < first_limit) & (~farthest_will_be_known | (first_distance2 < farthest));
+    wire beat_pending_both_7 = (first_distance1 < first_limit) & (~farthest_will_be_known | (first_distance1 < farthest));
+    wire beat_pending_both_8 = (first_distance0 < first_limit) & (~farthest_will_be_known | (first_distance0 < farthest));
+    wire [3:0] beat_pending_bits_2 = {beat_pending_both_5, beat_pending_both_6, beat_pending_both_7, beat_pending_both_8};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
@@ -1139,9 +1167,83 @@ module search_queue (
         ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
-    wire [3:0] beat_pending_choice = take ? beat_pending_bits : left;
+    wire [3:0] beat_pending_choice = take ? (callers_read_address ? beat_pending_bits : beat_pending_bits_2) : left;
+    wire item_inserts_here_both = moves & |beat_pending;
     wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
-    wire [31:0] nearer_entries_bits = {
+    wire nearer_in_order = ~item_distance2_inverse_reset < working[1710:1680];
+    wire nearer_in_order_2 = item_distance2 < new_distance2;
+    wire nearer_choice = nearer[31] ? (nearer[30] ? nearer_in_order : nearer_in_order_2) : (~item_distance2_inverse_reset < working[1766:1736]);
+    wire nearer_in_order_3 = ~item_distance2_inverse_reset < working[1654:1624];
+    wire nearer_choice_2 = nearer[30] ? (nearer[29] ? nearer_in_order_3 : nearer_in_order_2) : nearer_in_order;
+    wire nearer_in_order_4 = ~item_distance2_inverse_reset < working[1598:1568];
+    wire nearer_choice_3 = nearer[29] ? (nearer[28] ? nearer_in_order_4 : nearer_in_order_2) : nearer_in_order_3;
+    wire nearer_in_order_5 = ~item_distance2_inverse_reset < working[1542:1512];
+    wire nearer_choice_4 = nearer[28] ? (nearer[27] ? nearer_in_order_5 : nearer_in_order_2) : nearer_in_order_4;
+    wire nearer_in_order_6 = ~item_distance2_inverse_reset < working[1486:1456];
+    wire nearer_choice_5 = nearer[27] ? (nearer[26] ? nearer_in_order_6 : nearer_in_order_2) : nearer_in_order_5;
+    wire nearer_in_order_7 = ~item_distance2_inverse_reset < working[1430:1400];
+    wire nearer_choice_6 = nearer[26] ? (nearer[25] ? nearer_in_order_7 : nearer_in_order_2) : nearer_in_order_6;
+    wire nearer_in_order_8 = ~item_distance2_inverse_reset < working[1374:1344];
+    wire nearer_choice_7 = nearer[25] ? (nearer[24] ? nearer_in_order_8 : nearer_in_order_2) : nearer_in_order_7;
+    wire nearer_in_order_9 = item_distance2_reset < working[1318:1288];
+    wire nearer_choice_8 = nearer[24] ? (nearer[23] ? nearer_in_order_9 : nearer_in_order_2) : nearer_in_order_8;
+    wire nearer_in_order_10 = item_distance2_reset < working[1262:1232];
+    wire nearer_choice_9 = nearer[23] ? (nearer[22] ? nearer_in_order_10 : nearer_in_order_2) : nearer_in_order_9;
+    wire nearer_in_order_11 = item_distance2_reset < working[1206:1176];
+    wire nearer_choice_10 = nearer[22] ? (nearer[21] ? nearer_in_order_11 : nearer_in_order_2) : nearer_in_order_10;
+    wire nearer_in_order_12 = item_distance2_reset < working[1150:1120];
+    wire nearer_choice_11 = nearer[21] ? (nearer[20] ? nearer_in_order_12 : nearer_in_order_2) : nearer_in_order_11;
+    wire nearer_in_order_13 = item_distance2_reset < working[1094:1064];
+    wire nearer_choice_12 = nearer[20] ? (nearer[19] ? nearer_in_order_13 : nearer_in_order_2) : nearer_in_order_12;
+    wire nearer_in_order_14 = item_distance2_reset < working[1038:1008];
+    wire nearer_choice_13 = nearer[19] ? (nearer[18] ? nearer_in_order_14 : nearer_in_order_2) : nearer_in_order_13;
+    wire nearer_in_order_15 = item_distance2_reset < working[982:952];
+    wire nearer_choice_14 = nearer[18] ? (nearer[17] ? nearer_in_order_15 : nearer_in_order_2) : nearer_in_order_14;
+    wire nearer_in_order_16 = item_distance2_reset < working[926:896];
+    wire nearer_choice_15 = nearer[17] ? (nearer[16] ? nearer_in_order_16 : nearer_in_order_2) : nearer_in_order_15;
+    wire nearer_in_order_17 = ~item_distance2_inverse < working[870:840];
+    wire nearer_choice_16 = nearer[16] ? (nearer[15] ? nearer_in_order_17 : nearer_in_order_2) : nearer_in_order_16;
+    wire nearer_in_order_18 = ~item_distance2_inverse < working[814:784];
+    wire nearer_choice_17 = nearer[15] ? (nearer[14] ? nearer_in_order_18 : nearer_in_order_2) : nearer_in_order_17;
+    wire nearer_in_order_19 = ~item_distance2_inverse < working[758:728];
+    wire nearer_choice_18 = nearer[14] ? (nearer[13] ? nearer_in_order_19 : nearer_in_order_2) : nearer_in_order_18;
+    wire nearer_in_order_20 = ~item_distance2_inverse < working[702:672];
+    wire nearer_choice_19 = nearer[13] ? (nearer[12] ? nearer_in_order_20 : nearer_in_order_2) : nearer_in_order_19;
+    wire nearer_in_order_21 = ~item_distance2_inverse < working[646:616];
+    wire nearer_choice_20 = nearer[12] ? (nearer[11] ? nearer_in_order_21 : nearer_in_order_2) : nearer_in_order_20;
+    wire nearer_in_order_22 = ~item_distance2_inverse < working[590:560];
+    wire nearer_choice_21 = nearer[11] ? (nearer[10] ? nearer_in_order_22 : nearer_in_order_2) : nearer_in_order_21;
+    wire nearer_in_order_23 = ~item_distance2_inverse < working[534:504];
+    wire nearer_choice_22 = nearer[10] ? (nearer[9] ? nearer_in_order_23 : nearer_in_order_2) : nearer_in_order_22;
+    wire nearer_in_order_24 = ~item_distance2_inverse < working[478:448];
+    wire nearer_choice_23 = nearer[9] ? (nearer[8] ? nearer_in_order_24 : nearer_in_order_2) : nearer_in_order_23;
+    wire nearer_in_order_25 = item_distance2 < working[422:392];
+    wire nearer_choice_24 = nearer[8] ? (nearer[7] ? nearer_in_order_25 : nearer_in_order_2) : nearer_in_order_24;
+    wire nearer_in_order_26 = item_distance2 < working[366:336];
+    wire nearer_choice_25 = nearer[7] ? (nearer[6] ? nearer_in_order_26 : nearer_in_order_2) : nearer_in_order_25;
+    wire nearer_in_order_27 = item_distance2 < working[310:280];
+    wire nearer_choice_26 = nearer[6] ? (nearer[5] ? nearer_in_order_27 : nearer_in_order_2) : nearer_in_order_26;
+    wire nearer_in_order_28 = item_distance2 < working[254:224];
+    wire nearer_choice_27 = nearer[5] ? (nearer[4] ? nearer_in_order_28 : nearer_in_order_2) : nearer_in_order_27;
+    wire nearer_in_order_29 = item_distance2 < working[198:168];
+    wire nearer_choice_28 = nearer[4] ? (nearer[3] ? nearer_in_order_29 : nearer_in_order_2) : nearer_in_order_28;
+    wire nearer_in_order_30 = item_distance2 < working[142:112];
+    wire nearer_choice_29 = nearer[3] ? (nearer[2] ? nearer_in_order_30 : nearer_in_order_2) : nearer_in_order_29;
+    wire nearer_in_order_31 = item_distance2 < working[86:56];
+    wire nearer_choice_30 = nearer[2] ? (nearer[1] ? nearer_in_order_31 : nearer_in_order_2) : nearer_in_order_30;
+    wire nearer_in_order_32 = item_distance2 < working[30:0];
+    wire nearer_choice_31 = nearer[1] ? (nearer[0] ? nearer_in_order_32 : nearer_in_order_2) : nearer_in_order_31;
+    wire [31:0] nearer_bits = {
+        nearer_choice, nearer_choice_2, nearer_choice_3, nearer_choice_4, nearer_choice_5, nearer_choice_6,
+        nearer_choice_7, nearer_choice_8, nearer_choice_9, nearer_choice_10, nearer_choice_11,
+        nearer_choice_12, nearer_choice_13, nearer_choice_14, nearer_choice_15, nearer_choice_16,
+        nearer_choice_17, nearer_choice_18, nearer_choice_19, nearer_choice_20, nearer_choice_21,
+        nearer_choice_22, nearer_choice_23, nearer_choice_24, nearer_choice_25, nearer_choice_26,
+        nearer_choice_27, nearer_choice_28, nearer_choice_29, nearer_choice_30, nearer_choice_31,
+        nearer[0] ? nearer_in_order_2 : nearer_in_order_32
+    };
+    wire [31:0] nearer_either = (nearer_bits & {32{item_inserts_here}}) | ({1'd1, ~query[30:0]} & {32{item_inserts_initial}});
+    wire [31:0] nearer_bits_2 = {
         ~item_distance2_inverse_reset < stored[1766:1736], ~item_distance2_inverse_reset < stored[1710:1680],
         ~item_distance2_inverse_reset < stored[1654:1624], ~item_distance2_inverse_reset < stored[1598:1568],
         ~item_distance2_inverse_reset < stored[1542:1512], ~item_distance2_inverse_reset < stored[1486:1456],
@@ -1158,111 +1260,6 @@ module search_queue (
         item_distance2 < stored[254:224], item_distance2 < stored[198:168], item_distance2 < stored[142:112],
         item_distance2 < stored[86:56], item_distance2 < stored[30:0]
     };
-    wire nearer_entries_in_order = ~item_distance2_inverse_reset < working[1710:1680];
-    wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse_reset < working[1766:1736]);
-    wire nearer_entries_in_order_3 = ~item_distance2_inverse_reset < working[1654:1624];
-    wire nearer_entries_choice_2 = nearer[29] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = ~item_distance2_inverse_reset < working[1598:1568];
-    wire nearer_entries_choice_3 = nearer[28] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = ~item_distance2_inverse_reset < working[1542:1512];
-    wire nearer_entries_choice_4 = nearer[27] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = ~item_distance2_inverse_reset < working[1486:1456];
-    wire nearer_entries_choice_5 = nearer[26] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = ~item_distance2_inverse_reset < working[1430:1400];
-    wire nearer_entries_choice_6 = nearer[25] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = ~item_distance2_inverse_reset < working[1374:1344];
-    wire nearer_entries_choice_7 = nearer[24] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_9 = item_distance2_reset < working[1318:1288];
-    wire nearer_entries_choice_8 = nearer[23] ? nearer_entries_in_order_9 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_10 = item_distance2_reset < working[1262:1232];
-    wire nearer_entries_choice_9 = nearer[22] ? nearer_entries_in_order_10 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_11 = item_distance2_reset < working[1206:1176];
-    wire nearer_entries_choice_10 = nearer[21] ? nearer_entries_in_order_11 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_11 = nearer[22] ? nearer_entries_choice_10 : nearer_entries_in_order_10;
-    wire nearer_entries_in_order_12 = item_distance2_reset < working[1150:1120];
-    wire nearer_entries_choice_12 = nearer[20] ? nearer_entries_in_order_12 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_13 = nearer[21] ? nearer_entries_choice_12 : nearer_entries_in_order_11;
-    wire nearer_entries_in_order_13 = item_distance2_reset < working[1094:1064];
-    wire nearer_entries_choice_14 = nearer[19] ? nearer_entries_in_order_13 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_15 = nearer[20] ? nearer_entries_choice_14 : nearer_entries_in_order_12;
-    wire nearer_entries_in_order_14 = item_distance2_reset < working[1038:1008];
-    wire nearer_entries_choice_16 = nearer[18] ? nearer_entries_in_order_14 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_17 = nearer[19] ? nearer_entries_choice_16 : nearer_entries_in_order_13;
-    wire nearer_entries_in_order_15 = item_distance2_reset < working[982:952];
-    wire nearer_entries_choice_18 = nearer[17] ? nearer_entries_in_order_15 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_19 = nearer[18] ? nearer_entries_choice_18 : nearer_entries_in_order_14;
-    wire nearer_entries_in_order_16 = item_distance2_reset < working[926:896];
-    wire nearer_entries_choice_20 = nearer[16] ? nearer_entries_in_order_16 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_21 = nearer[17] ? nearer_entries_choice_20 : nearer_entries_in_order_15;
-    wire nearer_entries_in_order_17 = ~item_distance2_inverse < working[870:840];
-    wire nearer_entries_choice_22 = nearer[15] ? nearer_entries_in_order_17 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_23 = nearer[16] ? nearer_entries_choice_22 : nearer_entries_in_order_16;
-    wire nearer_entries_in_order_18 = ~item_distance2_inverse < working[814:784];
-    wire nearer_entries_choice_24 = nearer[14] ? nearer_entries_in_order_18 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_25 = nearer[15] ? nearer_entries_choice_24 : nearer_entries_in_order_17;
-    wire nearer_entries_in_order_19 = ~item_distance2_inverse < working[758:728];
-    wire nearer_entries_choice_26 = nearer[13] ? nearer_entries_in_order_19 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_27 = nearer[14] ? nearer_entries_choice_26 : nearer_entries_in_order_18;
-    wire nearer_entries_in_order_20 = ~item_distance2_inverse < working[702:672];
-    wire nearer_entries_choice_28 = nearer[12] ? nearer_entries_in_order_20 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_29 = nearer[13] ? nearer_entries_choice_28 : nearer_entries_in_order_19;
-    wire nearer_entries_in_order_21 = ~item_distance2_inverse < working[646:616];
-    wire nearer_entries_choice_30 = nearer[11] ? nearer_entries_in_order_21 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_31 = nearer[12] ? nearer_entries_choice_30 : nearer_entries_in_order_20;
-    wire nearer_entries_in_order_22 = ~item_distance2_inverse < working[590:560];
-    wire nearer_entries_choice_32 = nearer[10] ? nearer_entries_in_order_22 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_33 = nearer[11] ? nearer_entries_choice_32 : nearer_entries_in_order_21;
-    wire nearer_entries_in_order_23 = ~item_distance2_inverse < working[534:504];
-    wire nearer_entries_choice_34 = nearer[9] ? nearer_entries_in_order_23 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_35 = nearer[10] ? nearer_entries_choice_34 : nearer_entries_in_order_22;
-    wire nearer_entries_in_order_24 = ~item_distance2_inverse < working[478:448];
-    wire nearer_entries_choice_36 = nearer[8] ? nearer_entries_in_order_24 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_37 = nearer[9] ? nearer_entries_choice_36 : nearer_entries_in_order_23;
-    wire nearer_entries_in_order_25 = item_distance2 < working[422:392];
-    wire nearer_entries_choice_38 = nearer[7] ? nearer_entries_in_order_25 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_39 = nearer[8] ? nearer_entries_choice_38 : nearer_entries_in_order_24;
-    wire nearer_entries_in_order_26 = item_distance2 < working[366:336];
-    wire nearer_entries_choice_40 = nearer[6] ? nearer_entries_in_order_26 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_41 = nearer[7] ? nearer_entries_choice_40 : nearer_entries_in_order_25;
-    wire nearer_entries_in_order_27 = item_distance2 < working[310:280];
-    wire nearer_entries_choice_42 = nearer[5] ? nearer_entries_in_order_27 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_43 = nearer[6] ? nearer_entries_choice_42 : nearer_entries_in_order_26;
-    wire nearer_entries_in_order_28 = item_distance2 < working[254:224];
-    wire nearer_entries_choice_44 = nearer[4] ? nearer_entries_in_order_28 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_45 = nearer[5] ? nearer_entries_choice_44 : nearer_entries_in_order_27;
-    wire nearer_entries_in_order_29 = item_distance2 < working[198:168];
-    wire nearer_entries_choice_46 = nearer[3] ? nearer_entries_in_order_29 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_47 = nearer[4] ? nearer_entries_choice_46 : nearer_entries_in_order_28;
-    wire nearer_entries_in_order_30 = item_distance2 < working[142:112];
-    wire nearer_entries_choice_48 = nearer[2] ? nearer_entries_in_order_30 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_49 = nearer[3] ? nearer_entries_choice_48 : nearer_entries_in_order_29;
-    wire nearer_entries_in_order_31 = item_distance2 < working[86:56];
-    wire nearer_entries_choice_50 = nearer[1] ? nearer_entries_in_order_31 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_51 = nearer[2] ? nearer_entries_choice_50 : nearer_entries_in_order_30;
-    wire nearer_entries_in_order_32 = item_distance2 < working[30:0];
-    wire nearer_entries_choice_52 = nearer[0] ? nearer_entries_in_order_32 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_53 = nearer[1] ? nearer_entries_choice_52 : nearer_entries_in_order_31;
-    wire nearer_entries_choice_54 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_32;
-    wire [31:0] nearer_entries_bits_2 = {
-        nearer_entries_choice, nearer[30] ? nearer_entries_choice_2 : nearer_entries_in_order,
-        nearer[29] ? nearer_entries_choice_3 : nearer_entries_in_order_3,
-        nearer[28] ? nearer_entries_choice_4 : nearer_entries_in_order_4,
-        nearer[27] ? nearer_entries_choice_5 : nearer_entries_in_order_5,
-        nearer[26] ? nearer_entries_choice_6 : nearer_entries_in_order_6,
-        nearer[25] ? nearer_entries_choice_7 : nearer_entries_in_order_7,
-        nearer[24] ? nearer_entries_choice_8 : nearer_entries_in_order_8,
-        nearer[23] ? nearer_entries_choice_9 : nearer_entries_in_order_9, nearer_entries_choice_11,
-        nearer_entries_choice_13, nearer_entries_choice_15, nearer_entries_choice_17,
-        nearer_entries_choice_19, nearer_entries_choice_21, nearer_entries_choice_23,
-        nearer_entries_choice_25, nearer_entries_choice_27, nearer_entries_choice_29,
-        nearer_entries_choice_31, nearer_entries_choice_33, nearer_entries_choice_35,
-        nearer_entries_choice_37, nearer_entries_choice_39, nearer_entries_choice_41,
-        nearer_entries_choice_43, nearer_entries_choice_45, nearer_entries_choice_47,
-        nearer_entries_choice_49, nearer_entries_choice_51, nearer_entries_choice_53,
-        nearer_entries_choice_54
-    };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? {1'd1, ~query[30:0]} : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
@@ -1280,11 +1277,8 @@ module search_queue (
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire fetching_or_result_transfer = fetching | result_transfer;
-    wire [15:0] arrivals_data_shifted = from_leaf >> candidates_thread;
-    wire [30:0] leaf_radius2 = leaf_radii[candidates_thread];
-    wire [30:0] query_radius2 = query_radii[candidates_thread];
 
-    assign candidates_ready = arrivals_has_room;
+    assign candidates_ready = callers_has_room;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -1317,10 +1311,11 @@ module search_queue (
 
     always @(posedge clk) begin
         if (rst) begin
-            arrivals_count <= 2'd0;
-            arrivals_write_address <= 1'd0;
-            arrivals_read_address <= 1'd0;
-            arrivals_has_room <= 1'd1;
+            callers_count <= 2'd0;
+            callers_write_address <= 1'd0;
+            callers_read_address <= 1'd0;
+            callers_has_room <= 1'd1;
+            reads_first <= 1'd1;
             owned <= 1'd0;
             fresh <= 16'd0;
             beat_valid <= 1'd0;
@@ -1328,8 +1323,10 @@ module search_queue (
             beat_began <= 1'd0;
             item_valid <= 1'd0;
             item_reads <= 1'd0;
-            item_inserts <= 1'd0;
             item_last <= 1'd0;
+            item_inserts_here <= 1'd0;
+            item_inserts_initial <= 1'd0;
+            item_inserts_stored <= 1'd0;
             item_stays <= 1'd1;
             nearer <= 32'd0;
             new_last <= 1'd0;
@@ -1347,8 +1344,8 @@ module search_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
-            arrivals_has_room <= take | ~arrivals_has_room_either;
+            callers_count <= (callers_count + {1'd0, callers_write_address_enable_both}) - {1'd0, take};
+            callers_has_room <= take | ~callers_has_room_either;
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);
@@ -1356,10 +1353,12 @@ module search_queue (
             beat_began <= ~take & (beat_began | moves);
             item_valid <= moves;
             item_reads <= reads;
-            item_inserts <= moves & |beat_pending;
             item_last <= ends & beat_last;
+            item_inserts_here <= item_inserts_here_both & ~beat_reads;
+            item_inserts_initial <= item_inserts_here_both & (beat_reads & fresh_shifted_by_beat_thread[0]);
+            item_inserts_stored <= item_inserts_here_both & (beat_reads & ~fresh_shifted_by_beat_thread[0]);
             item_stays <= ~reads;
-            nearer <= nearer_entries & {32{item_inserts}};
+            nearer <= nearer_either | (nearer_bits_2 & {32{item_inserts_stored}});
             new_last <= item_last;
             radius_valid <= new_last;
             event_insert <= nearer[31];
@@ -1372,16 +1371,42 @@ module search_queue (
             released_valid <= fetching;
             event_beat <= ends;
             event_insert_wait <= moves & stays;
-            if (arrivals_write_address_enable_both) begin
-                arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (callers_write_address_enable_both) begin
+                callers_write_address <= callers_write_address + 1'd1;
                 last_known <= 1'd1;
                 second_last_known <= last_known;
             end
-            if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
+            if (take) begin
+                callers_read_address <= callers_read_address + 1'd1;
+                reads_first <= ~reads_first;
+            end
         end
     end
     always @(posedge clk) begin
-        if (item_valid) owner <= item_thread;
+        if (first_thread_enable_both) begin
+            first_thread <= candidates_thread;
+            first_address <= candidates_address;
+            first_last <= candidates_last;
+            first_distance0 <= candidates_distance0;
+            first_distance1 <= candidates_distance1;
+            first_distance2 <= candidates_distance2;
+            first_distance3 <= candidates_distance3;
+            first_limit <= first_limit_choice;
+        end
+        if (second_thread_enable_both) begin
+            second_thread <= candidates_thread;
+            second_address <= candidates_address;
+            second_last <= candidates_last;
+            second_distance0 <= candidates_distance0;
+            second_distance1 <= candidates_distance1;
+            second_distance2 <= candidates_distance2;
+            second_distance3 <= candidates_distance3;
+            second_limit <= first_limit_choice;
+        end
+        if (item_valid) begin
+            owner <= item_thread;
+            not_owner <= ~item_thread;
+        end
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
         beat_pending <= beat_pending_choice;
         beat_settled <= ~beat_pending_choice;
@@ -1402,16 +1427,16 @@ module search_queue (
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[183:180];
-            beat_address <= arrivals_head[179:158];
-            beat_last <= arrivals_head[157];
-            beat_distance0 <= arrivals_head[156:126];
-            beat_distance1 <= arrivals_head[125:95];
-            beat_distance2 <= arrivals_head[94:64];
-            beat_distance3 <= arrivals_head[63:33];
+            beat_thread <= reads_first ? first_thread : second_thread;
+            beat_address <= reads_first ? first_address : second_address;
+            beat_last <= reads_first ? first_last : second_last;
+            beat_distance0 <= reads_first ? first_distance0 : second_distance0;
+            beat_distance1 <= reads_first ? first_distance1 : second_distance1;
+            beat_distance2 <= reads_first ? first_distance2 : second_distance2;
+            beat_distance3 <= reads_first ? first_distance3 : second_distance3;
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
-        if (arrivals_write_address_enable_both) begin
+        if (callers_write_address_enable_both) begin
             last_thread <= candidates_thread;
             second_last_thread <= last_thread;
         end
@@ -1425,11 +1450,9 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (arrivals_write_address_enable_both) begin
-            arrivals[arrivals_write_address] <= {
-                candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
-                candidates_distance2, candidates_distance3, arrivals_data_shifted[0] ? leaf_radius2 : query_radius2,
-                last_known & (last_thread == candidates_thread),
+        if (callers_write_address_enable_both) begin
+            callers[callers_write_address] <= {
+                candidates_thread, last_known & (last_thread == candidates_thread),
                 second_last_known & (second_last_thread == candidates_thread)
             };
         end
@@ -1438,25 +1461,26 @@ module search_queue (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, arrivals_data_shifted[15:1], fetch_from_nothing_shifted[15:1],
-        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], start_radius2[31], start_x, start_y,
-        start_z
+        1'b0, fetch_from_nothing_shifted[15:1], first_limit_shifted[15:1], fresh_shifted_by_beat_thread[15:1],
+        is_fresh_shifted[15:1], start_radius2[31], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
     wire [15:0] check_shifted = fresh >> readout_thread;
-    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == arrivals_head[183:180]);
-    wire check_choice = beat_valid ? (arrivals_head[1] == (beat_thread == arrivals_head[183:180])) : (arrivals_head[1] == check_both);
-    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (arrivals_head[0] == check_both)));
+    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == callers_head[5:2]);
+    wire check_choice = beat_valid ? (callers_head[1] == (beat_thread == callers_head[5:2])) : (callers_head[1] == check_both);
+    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (callers_head[0] == check_both)));
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
         k_fits_a_row: assert (~start_valid | (|start_k & (start_k <= 6'd32)));
-        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
+        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
-        whom_a_beat_follows_is_told: assert (~(|arrivals_count) | check_both_2);
+        whom_a_beat_follows_is_told: assert (~(|callers_count) | check_both_2);
+        callers_go_with_their_beats: assert (reads_first ^ callers_read_address);
         pending_or_settled: assert (~beat_valid | &(beat_pending ^ beat_settled));
+        owner_or_not: assert (~owned | &(owner ^ not_owner));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
@@ -1465,17 +1489,23 @@ module search_queue (
         if (!(~start_valid | (|start_k & (start_k <= 6'd32)))) begin
             $display("assertion failed: k_fits_a_row in %m"); $stop;
         end
-        if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
+        if (!(~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
             $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
         end
-        if (!(~(|arrivals_count) | check_both_2)) begin
+        if (!(~(|callers_count) | check_both_2)) begin
             $display("assertion failed: whom_a_beat_follows_is_told in %m"); $stop;
+        end
+        if (!(reads_first ^ callers_read_address)) begin
+            $display("assertion failed: callers_go_with_their_beats in %m"); $stop;
         end
         if (!(~beat_valid | &(beat_pending ^ beat_settled))) begin
             $display("assertion failed: pending_or_settled in %m"); $stop;
+        end
+        if (!(~owned | &(owner ^ not_owner))) begin
+            $display("assertion failed: owner_or_not in %m"); $stop;
         end
         if (!(readout_idle == ~(fetching | sending))) begin
             $display("assertion failed: idle_when_neither in %m"); $stop;
@@ -2596,7 +2626,7 @@ module search_recursion (
     reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [30:0] leaf_radii [0:15];
-    reg r0_valid, r1_valid, r2_valid;
+    reg r0_valid, r1_valid, r2_valid, r2_empty;
     reg [3:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [14:0] path_node;  // The subtree's root.
@@ -2609,12 +2639,14 @@ module search_recursion (
     wire resume_queue_in_ready;
     wire [18:0] resume_queue_out_data;
 
+    wire pops = (r2_empty | resume_queue_in_ready) & r0_valid;
     wire advance = ~r2_valid | resume_queue_in_ready;
     wire decides = advance & r2_valid;
     wire popped = decides & found;
     wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
+    wire r2_valid_choice = advance ? r1_valid : r2_valid;
     wire [15:0] query_set = {
         start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
         start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
@@ -2640,7 +2672,7 @@ module search_recursion (
     wire [30:0] query_radius2 = query_radii[r1_thread];
 
     assign {resume_thread, resume_node} = resume_queue_out_data;
-    assign pop_valid = advance & r0_valid;
+    assign pop_valid = pops;
     assign pop_thread = r0_thread;
 
     stream_skid_w4 in_queue (
@@ -2659,14 +2691,16 @@ module search_recursion (
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
             r2_valid <= 1'd0;
+            r2_empty <= 1'd1;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
         end else begin
             if (advance) begin
                 r0_valid <= back | in_queue_out_valid;
                 r1_valid <= r0_valid;
-                r2_valid <= r1_valid;
             end
+            r2_valid <= r2_valid_choice;
+            r2_empty <= ~r2_valid_choice;
             empty_valid <= decides & ~found;
             event_pop <= popped;
         end
@@ -2706,12 +2740,16 @@ module search_recursion (
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
         a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
+        r2_valid_or_empty: assert (r2_valid ^ r2_empty);
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
         end
         if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
             $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
+        end
+        if (!(r2_valid ^ r2_empty)) begin
+            $display("assertion failed: r2_valid_or_empty in %m"); $stop;
         end
 `endif
     end
@@ -3305,10 +3343,12 @@ module float_add_s6_f32ftz (
     wire swap = a[30:0] < b[30:0];
     wire [7:0] b_field = b[30:23];
     wire [7:0] a_field = a[30:23];
+    wire large_s1_inverted = ~(|a_field);
+    wire large_s1_inverted_2 = ~(|b_field);
+    wire large_s1_inverted_3 = ~(large_s1_inverted & large_s1_inverted_2);
     wire [22:0] b_fraction = b[22:0];
-    wire [23:0] large_s1_bits = {|b_field, b_fraction & {23{|b_field}}};
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] large_s1_bits_2 = {|a_field, a_fraction & {23{|a_field}}};
+    wire small_s1_inverted = ~(large_s1_inverted | large_s1_inverted_2);
     wire [26:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
     wire [26:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
     wire [26:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
@@ -3355,8 +3395,8 @@ module float_add_s6_f32ftz (
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
-            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            large_s1 <= {large_s1_inverted_3, (swap ? b_fraction : a_fraction) & {23{large_s1_inverted_3}}};
+            small_s1 <= {small_s1_inverted, (swap ? a_fraction : b_fraction) & {23{small_s1_inverted}}};
             large_s2 <= large_s1;
             aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[26:1], aligned_s2_either_3};
             subtract_s1 <= a_31_xor_b_31;

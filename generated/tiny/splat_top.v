@@ -10387,10 +10387,12 @@ module float_add_s6_f24ftz (
     wire swap = a[22:0] < b[22:0];
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
+    wire large_s1_inverted = ~(|a_field);
+    wire large_s1_inverted_2 = ~(|b_field);
+    wire large_s1_inverted_3 = ~(large_s1_inverted & large_s1_inverted_2);
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire small_s1_inverted = ~(large_s1_inverted | large_s1_inverted_2);
     wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
     wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
     wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
@@ -10431,8 +10433,8 @@ module float_add_s6_f24ftz (
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
-            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            large_s1 <= {large_s1_inverted_3, (swap ? b_fraction : a_fraction) & {15{large_s1_inverted_3}}};
+            small_s1 <= {small_s1_inverted, (swap ? a_fraction : b_fraction) & {15{small_s1_inverted}}};
             large_s2 <= large_s1;
             aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
             subtract_s1 <= a_23_xor_b_23;

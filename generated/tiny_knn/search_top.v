@@ -253,14 +253,24 @@ module search_queue (
     output reg  event_beat  // A priority queue was done with a beat of points.
 );
     (* ram_style = "distributed" *)
-    reg [66:0] arrivals [0:1];
+    reg [3:0] callers [0:1];
     (* ram_style = "distributed" *)
     reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [22:0] leaf_radii [0:3];
-    reg [1:0] arrivals_count;
-    reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
-    reg [1:0] owner;
+    reg [1:0] first_thread;  // Thread.
+    reg [15:0] first_address;  // Address in the point memory.
+    reg first_last;  // Closes its leaf.
+    reg [22:0] first_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [22:0] first_limit;  // The squared radius of its thread's last leaf as it came in.
+    reg [1:0] second_thread;  // Thread.
+    reg [15:0] second_address;  // Address in the point memory.
+    reg second_last;  // Closes its leaf.
+    reg [22:0] second_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [22:0] second_limit;  // The squared radius of its thread's last leaf as it came in.
+    reg [1:0] callers_count;
+    reg callers_write_address, callers_read_address, callers_has_room, reads_first, owned;
+    reg [1:0] owner, not_owner;
     reg [319:0] working;
     reg [3:0] fresh;
     reg beat_valid, beat_reads, beat_began, beat_pending;
@@ -268,7 +278,7 @@ module search_queue (
     reg [15:0] beat_address;  // Address in the point memory.
     reg beat_last;  // Closes its leaf.
     reg [22:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
-    reg item_valid, item_reads, item_inserts, item_last;
+    reg item_valid, item_reads, item_last, item_inserts_here, item_inserts_initial, item_inserts_stored;
     reg [1:0] item_thread;
     reg item_stays, item_fresh;
     reg [15:0] new_index;  // The point's place in the point memory.
@@ -338,16 +348,22 @@ module search_queue (
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
-    wire finished_owns = owned & (owner == finish_queue_out_data);
+    wire finished_owns = owned & (~not_owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
+    wire callers_write_address_enable_both = candidates_valid & callers_has_room;
+    wire first_thread_enable_both = callers_write_address_enable_both & ~callers_write_address;
+    wire [3:0] first_limit_shifted = from_leaf >> candidates_thread;
+    wire [22:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [22:0] query_radius2 = query_radii[candidates_thread];
+    wire [22:0] first_limit_choice = first_limit_shifted[0] ? leaf_radius2 : query_radius2;
+    wire second_thread_enable_both = callers_write_address_enable_both & callers_write_address;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire beat_free = ~beat_valid | moves;
-    wire [66:0] arrivals_head = arrivals[arrivals_read_address];
-    wire driven_out = beat_valid & (arrivals_head[0] & ~arrivals_head[1] & ~beat_began);
-    wire take = |arrivals_count & (beat_free & ~driven_out);
-    wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
+    wire [3:0] callers_head = callers[callers_read_address];
+    wire driven_out = beat_valid & (callers_head[0] & ~callers_head[1] & ~beat_began);
+    wire take = |callers_count & (beat_free & ~driven_out);
+    wire callers_has_room_either = (callers_count == 2'd2) | ((callers_count == 2'd1) & callers_write_address_enable_both);
     wire [319:0] initial_row = {
         17'd0, query[29:7], 17'd0, query[6] ? 23'd0 : query[29:7], 17'd0, query[5] ? 23'd0 : query[29:7],
         17'd0, query[4] ? 23'd0 : query[29:7], 17'd0, query[3] ? 23'd0 : query[29:7], 17'd0,
@@ -363,50 +379,47 @@ module search_queue (
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[66:65];
+    wire [3:0] is_fresh_shifted = fresh >> callers_head[3:2];
     wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_either = ~arrivals_head[1] | (~beat_valid & is_fresh);
+    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[66:65]) & ~farthest_will_be_known_either;
+    wire farthest_will_be_known_both = (farthest_thread == callers_head[3:2]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (arrivals_head[47:25] < arrivals_head[24:2]) & (~farthest_will_be_known | (arrivals_head[47:25] < farthest));
+    wire beat_pending_both = (second_distance0 < second_limit) & (~farthest_will_be_known | (second_distance0 < farthest));
+    wire beat_pending_both_2 = (first_distance0 < first_limit) & (~farthest_will_be_known | (first_distance0 < farthest));
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
-    wire beat_pending_choice = take ? beat_pending_both : left;
+    wire beat_pending_choice = take ? (callers_read_address ? beat_pending_both : beat_pending_both_2) : left;
+    wire moves_and_beat_pending = moves & beat_pending;
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
-    wire [7:0] nearer_entries_bits = {
+    wire nearer_in_order = ~item_distance2_inverse_reset < working[262:240];
+    wire nearer_in_order_2 = item_distance2 < new_distance2;
+    wire nearer_choice = nearer[7] ? (nearer[6] ? nearer_in_order : nearer_in_order_2) : (~item_distance2_inverse_reset < working[302:280]);
+    wire nearer_in_order_3 = item_distance2_reset < working[222:200];
+    wire nearer_choice_2 = nearer[6] ? (nearer[5] ? nearer_in_order_3 : nearer_in_order_2) : nearer_in_order;
+    wire nearer_in_order_4 = item_distance2_reset < working[182:160];
+    wire nearer_choice_3 = nearer[5] ? (nearer[4] ? nearer_in_order_4 : nearer_in_order_2) : nearer_in_order_3;
+    wire nearer_in_order_5 = ~item_distance2_inverse < working[142:120];
+    wire nearer_choice_4 = nearer[4] ? (nearer[3] ? nearer_in_order_5 : nearer_in_order_2) : nearer_in_order_4;
+    wire nearer_in_order_6 = ~item_distance2_inverse < working[102:80];
+    wire nearer_choice_5 = nearer[3] ? (nearer[2] ? nearer_in_order_6 : nearer_in_order_2) : nearer_in_order_5;
+    wire nearer_in_order_7 = item_distance2 < working[62:40];
+    wire nearer_choice_6 = nearer[2] ? (nearer[1] ? nearer_in_order_7 : nearer_in_order_2) : nearer_in_order_6;
+    wire nearer_in_order_8 = item_distance2 < working[22:0];
+    wire nearer_choice_7 = nearer[1] ? (nearer[0] ? nearer_in_order_8 : nearer_in_order_2) : nearer_in_order_7;
+    wire [7:0] nearer_bits = {
+        nearer_choice, nearer_choice_2, nearer_choice_3, nearer_choice_4, nearer_choice_5, nearer_choice_6,
+        nearer_choice_7, nearer[0] ? nearer_in_order_2 : nearer_in_order_8
+    };
+    wire [7:0] nearer_either = (nearer_bits & {8{item_inserts_here}}) | ({1'd1, ~query[6:0]} & {8{item_inserts_initial}});
+    wire [7:0] nearer_bits_2 = {
         ~item_distance2_inverse_reset < stored[302:280], ~item_distance2_inverse_reset < stored[262:240],
         item_distance2_reset < stored[222:200], item_distance2_reset < stored[182:160],
         ~item_distance2_inverse < stored[142:120], ~item_distance2_inverse < stored[102:80],
         item_distance2 < stored[62:40], item_distance2 < stored[22:0]
     };
-    wire nearer_entries_in_order = ~item_distance2_inverse_reset < working[262:240];
-    wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
-    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (~item_distance2_inverse_reset < working[302:280]);
-    wire nearer_entries_in_order_3 = item_distance2_reset < working[222:200];
-    wire nearer_entries_choice_2 = nearer[5] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_4 = item_distance2_reset < working[182:160];
-    wire nearer_entries_choice_3 = nearer[4] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_5 = ~item_distance2_inverse < working[142:120];
-    wire nearer_entries_choice_4 = nearer[3] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_6 = ~item_distance2_inverse < working[102:80];
-    wire nearer_entries_choice_5 = nearer[2] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_7 = item_distance2 < working[62:40];
-    wire nearer_entries_choice_6 = nearer[1] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
-    wire nearer_entries_in_order_8 = item_distance2 < working[22:0];
-    wire nearer_entries_choice_7 = nearer[0] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
-    wire nearer_entries_choice_8 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_8;
-    wire [7:0] nearer_entries_bits_2 = {
-        nearer_entries_choice, nearer[6] ? nearer_entries_choice_2 : nearer_entries_in_order,
-        nearer[5] ? nearer_entries_choice_3 : nearer_entries_in_order_3,
-        nearer[4] ? nearer_entries_choice_4 : nearer_entries_in_order_4,
-        nearer[3] ? nearer_entries_choice_5 : nearer_entries_in_order_5,
-        nearer[2] ? nearer_entries_choice_6 : nearer_entries_in_order_6,
-        nearer[1] ? nearer_entries_choice_7 : nearer_entries_in_order_7, nearer_entries_choice_8
-    };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? {1'd1, ~query[6:0]} : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [3:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
@@ -415,11 +428,8 @@ module search_queue (
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire fetching_or_result_transfer = fetching | result_transfer;
-    wire [3:0] arrivals_data_shifted = from_leaf >> candidates_thread;
-    wire [22:0] leaf_radius2 = leaf_radii[candidates_thread];
-    wire [22:0] query_radius2 = query_radii[candidates_thread];
 
-    assign candidates_ready = arrivals_has_room;
+    assign candidates_ready = callers_has_room;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -448,10 +458,11 @@ module search_queue (
 
     always @(posedge clk) begin
         if (rst) begin
-            arrivals_count <= 2'd0;
-            arrivals_write_address <= 1'd0;
-            arrivals_read_address <= 1'd0;
-            arrivals_has_room <= 1'd1;
+            callers_count <= 2'd0;
+            callers_write_address <= 1'd0;
+            callers_read_address <= 1'd0;
+            callers_has_room <= 1'd1;
+            reads_first <= 1'd1;
             owned <= 1'd0;
             fresh <= 4'd0;
             beat_valid <= 1'd0;
@@ -459,8 +470,10 @@ module search_queue (
             beat_began <= 1'd0;
             item_valid <= 1'd0;
             item_reads <= 1'd0;
-            item_inserts <= 1'd0;
             item_last <= 1'd0;
+            item_inserts_here <= 1'd0;
+            item_inserts_initial <= 1'd0;
+            item_inserts_stored <= 1'd0;
             item_stays <= 1'd1;
             nearer <= 8'd0;
             new_last <= 1'd0;
@@ -477,8 +490,8 @@ module search_queue (
             released_valid <= 1'd0;
             event_beat <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
-            arrivals_has_room <= take | ~arrivals_has_room_either;
+            callers_count <= (callers_count + {1'd0, callers_write_address_enable_both}) - {1'd0, take};
+            callers_has_room <= take | ~callers_has_room_either;
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | waits;
@@ -486,10 +499,12 @@ module search_queue (
             beat_began <= ~take & (beat_began | moves);
             item_valid <= moves;
             item_reads <= reads;
-            item_inserts <= moves & beat_pending;
             item_last <= moves & beat_last;
+            item_inserts_here <= moves_and_beat_pending & ~beat_reads;
+            item_inserts_initial <= moves_and_beat_pending & (beat_reads & fresh_shifted_by_beat_thread[0]);
+            item_inserts_stored <= moves_and_beat_pending & (beat_reads & ~fresh_shifted_by_beat_thread[0]);
             item_stays <= ~reads;
-            nearer <= nearer_entries & {8{item_inserts}};
+            nearer <= nearer_either | (nearer_bits_2 & {8{item_inserts_stored}});
             new_last <= item_last;
             radius_valid <= new_last;
             event_insert <= nearer[7];
@@ -501,16 +516,36 @@ module search_queue (
             item_distance2_inverse_reset <= ~beat_distance0;
             released_valid <= fetching;
             event_beat <= moves;
-            if (arrivals_write_address_enable_both) begin
-                arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (callers_write_address_enable_both) begin
+                callers_write_address <= callers_write_address + 1'd1;
                 last_known <= 1'd1;
                 second_last_known <= last_known;
             end
-            if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
+            if (take) begin
+                callers_read_address <= callers_read_address + 1'd1;
+                reads_first <= ~reads_first;
+            end
         end
     end
     always @(posedge clk) begin
-        if (item_valid) owner <= item_thread;
+        if (first_thread_enable_both) begin
+            first_thread <= candidates_thread;
+            first_address <= candidates_address;
+            first_last <= candidates_last;
+            first_distance0 <= candidates_distance0;
+            first_limit <= first_limit_choice;
+        end
+        if (second_thread_enable_both) begin
+            second_thread <= candidates_thread;
+            second_address <= candidates_address;
+            second_last <= candidates_last;
+            second_distance0 <= candidates_distance0;
+            second_limit <= first_limit_choice;
+        end
+        if (item_valid) begin
+            owner <= item_thread;
+            not_owner <= ~item_thread;
+        end
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
         beat_pending <= beat_pending_choice;
         item_thread <= beat_thread;
@@ -530,13 +565,13 @@ module search_queue (
         from_leaf <= (from_leaf & ~query_set) | leaf_set;
         released_thread <= readout_thread;
         if (beat_free) begin
-            beat_thread <= arrivals_head[66:65];
-            beat_address <= arrivals_head[64:49];
-            beat_last <= arrivals_head[48];
-            beat_distance0 <= arrivals_head[47:25];
+            beat_thread <= reads_first ? first_thread : second_thread;
+            beat_address <= reads_first ? first_address : second_address;
+            beat_last <= reads_first ? first_last : second_last;
+            beat_distance0 <= reads_first ? first_distance0 : second_distance0;
         end
         if (readout_starts) readout_thread <= finish_queue_out_data;
-        if (arrivals_write_address_enable_both) begin
+        if (callers_write_address_enable_both) begin
             last_thread <= candidates_thread;
             second_last_thread <= last_thread;
         end
@@ -550,11 +585,9 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (arrivals_write_address_enable_both) begin
-            arrivals[arrivals_write_address] <= {
-                candidates_thread, candidates_address, candidates_last, candidates_distance0,
-                arrivals_data_shifted[0] ? leaf_radius2 : query_radius2,
-                last_known & (last_thread == candidates_thread),
+        if (callers_write_address_enable_both) begin
+            callers[callers_write_address] <= {
+                candidates_thread, last_known & (last_thread == candidates_thread),
                 second_last_known & (second_last_thread == candidates_thread)
             };
         end
@@ -563,7 +596,7 @@ module search_queue (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, arrivals_data_shifted[3:1], fetch_from_nothing_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
+        1'b0, fetch_from_nothing_shifted[3:1], first_limit_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
         is_fresh_shifted[3:1], start_radius2[23], start_x, start_y, start_z
     };
 
@@ -571,9 +604,9 @@ module search_queue (
     reg beat_settled;
 
     wire [3:0] check_shifted = fresh >> readout_thread;
-    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == arrivals_head[66:65]);
-    wire check_choice = beat_valid ? (arrivals_head[1] == (beat_thread == arrivals_head[66:65])) : (arrivals_head[1] == check_both);
-    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (arrivals_head[0] == check_both)));
+    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == callers_head[3:2]);
+    wire check_choice = beat_valid ? (callers_head[1] == (beat_thread == callers_head[3:2])) : (callers_head[1] == check_both);
+    wire check_both_2 = check_choice & (~beat_valid | (beat_began | (callers_head[0] == check_both)));
 
     always @(posedge clk) beat_settled <= ~beat_pending_choice;
 
@@ -581,10 +614,12 @@ module search_queue (
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
         k_fits_a_row: assert (~start_valid | (|start_k & (start_k <= 4'd8)));
-        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
+        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
-        whom_a_beat_follows_is_told: assert (~(|arrivals_count) | check_both_2);
+        whom_a_beat_follows_is_told: assert (~(|callers_count) | check_both_2);
+        callers_go_with_their_beats: assert (reads_first ^ callers_read_address);
         pending_or_settled: assert (~beat_valid | (beat_pending ^ beat_settled));
+        owner_or_not: assert (~owned | &(owner ^ not_owner));
         idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
@@ -593,17 +628,23 @@ module search_queue (
         if (!(~start_valid | (|start_k & (start_k <= 4'd8)))) begin
             $display("assertion failed: k_fits_a_row in %m"); $stop;
         end
-        if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
+        if (!(~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
             $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
         end
-        if (!(~(|arrivals_count) | check_both_2)) begin
+        if (!(~(|callers_count) | check_both_2)) begin
             $display("assertion failed: whom_a_beat_follows_is_told in %m"); $stop;
+        end
+        if (!(reads_first ^ callers_read_address)) begin
+            $display("assertion failed: callers_go_with_their_beats in %m"); $stop;
         end
         if (!(~beat_valid | (beat_pending ^ beat_settled))) begin
             $display("assertion failed: pending_or_settled in %m"); $stop;
+        end
+        if (!(~owned | &(owner ^ not_owner))) begin
+            $display("assertion failed: owner_or_not in %m"); $stop;
         end
         if (!(readout_idle == ~(fetching | sending))) begin
             $display("assertion failed: idle_when_neither in %m"); $stop;
@@ -1402,7 +1443,7 @@ module search_recursion (
     reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [22:0] leaf_radii [0:3];
-    reg r0_valid, r1_valid, r2_valid;
+    reg r0_valid, r1_valid, r2_valid, r2_empty;
     reg [1:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [6:0] path_node;  // The subtree's root.
@@ -1415,12 +1456,14 @@ module search_recursion (
     wire resume_queue_in_ready;
     wire [8:0] resume_queue_out_data;
 
+    wire pops = (r2_empty | resume_queue_in_ready) & r0_valid;
     wire advance = ~r2_valid | resume_queue_in_ready;
     wire decides = advance & r2_valid;
     wire popped = decides & found;
     wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
+    wire r2_valid_choice = advance ? r1_valid : r2_valid;
     wire [3:0] query_set = {
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
@@ -1434,7 +1477,7 @@ module search_recursion (
     wire [22:0] query_radius2 = query_radii[r1_thread];
 
     assign {resume_thread, resume_node} = resume_queue_out_data;
-    assign pop_valid = advance & r0_valid;
+    assign pop_valid = pops;
     assign pop_thread = r0_thread;
 
     stream_skid_w2 in_queue (
@@ -1453,14 +1496,16 @@ module search_recursion (
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
             r2_valid <= 1'd0;
+            r2_empty <= 1'd1;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
         end else begin
             if (advance) begin
                 r0_valid <= back | in_queue_out_valid;
                 r1_valid <= r0_valid;
-                r2_valid <= r1_valid;
             end
+            r2_valid <= r2_valid_choice;
+            r2_empty <= ~r2_valid_choice;
             empty_valid <= decides & ~found;
             event_pop <= popped;
         end
@@ -1500,12 +1545,16 @@ module search_recursion (
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
         a_query_begins_before_its_thread_pops: assert (~r0_valid | begun_shifted_by_r0_thread[0]);
+        r2_valid_or_empty: assert (r2_valid ^ r2_empty);
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
         end
         if (!(~r0_valid | begun_shifted_by_r0_thread[0])) begin
             $display("assertion failed: a_query_begins_before_its_thread_pops in %m"); $stop;
+        end
+        if (!(r2_valid ^ r2_empty)) begin
+            $display("assertion failed: r2_valid_or_empty in %m"); $stop;
         end
 `endif
     end
@@ -2035,10 +2084,12 @@ module float_add_s6_f24ftz (
     wire swap = a[22:0] < b[22:0];
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
+    wire large_s1_inverted = ~(|a_field);
+    wire large_s1_inverted_2 = ~(|b_field);
+    wire large_s1_inverted_3 = ~(large_s1_inverted & large_s1_inverted_2);
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire small_s1_inverted = ~(large_s1_inverted | large_s1_inverted_2);
     wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
     wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
     wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
@@ -2079,8 +2130,8 @@ module float_add_s6_f24ftz (
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
-            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            large_s1 <= {large_s1_inverted_3, (swap ? b_fraction : a_fraction) & {15{large_s1_inverted_3}}};
+            small_s1 <= {small_s1_inverted, (swap ? a_fraction : b_fraction) & {15{small_s1_inverted}}};
             large_s2 <= large_s1;
             aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
             subtract_s1 <= a_23_xor_b_23;
