@@ -95,7 +95,7 @@ struct Leaf {
 }
 
 impl Leaf {
-    /// Takes a request where `enable` is set; `valid` is left to be driven.
+    /// Takes a request where `enable` is set; `valid` is left to be set.
     fn new(m: &mut Module, config: &Config, name: &str, enable: Expr, request: SlottedFetch<Wires>) -> Self {
         let valid = m.reg_reset(&format!("{name}_valid"), 1, 0);
         Self { valid, request: request.register(m, config, &format!("{name}_"), enable) }
@@ -107,6 +107,8 @@ struct Fill {
     head: Flow<SlottedBeat<Wires>>,
     /// Some of its beats are taken, not the last.
     under_way: Reg,
+    /// The inverse.
+    between: Reg,
     slot: Expr,
     /// The head is the leaf's beat of this number.
     count: Reg,
@@ -116,23 +118,23 @@ struct Fill {
 impl Fill {
     fn new(m: &mut Module, config: &Config) -> Self {
         let head = fills(m, config);
-        let under_way = m.reg_reset("fill_under_way", 1, 0);
+        let [under_way, between] = twins(m, ["fill_under_way", "fill_between"]);
         let slot_before = m.reg("fill_slot_before", index_bits(config.point_cache));
         let slot = m.wire("fill_slot", under_way.mux(slot_before, head.record.slot));
         m.next(slot_before, slot);
         let count = m.reg_reset("fill_count", config.beats_bits(), 0);
-        Self { head, under_way, slot, count, kept_before: m.reg("fill_kept_before", 1) }
+        Self { head, under_way, between, slot, count, kept_before: m.reg("fill_kept_before", 1) }
     }
 
     /// Writes the beats of a leaf that is kept, as they are taken, and its tag.
     fn store(&self, m: &mut Module, config: &Config, take: Expr, may_keep: Expr) -> Stored {
         let slots = config.point_cache;
-        let Self { ref head, under_way, slot, count, kept_before } = *self;
+        let Self { ref head, under_way, between, slot, count, kept_before } = *self;
         let Beat { place, points: item } = head.record.beat;
         let (last, address) = (is_last(config, place.last), place.address);
         m.drive(head.ready, take);
         let taken = m.wire("fill_taken", head.transfer());
-        m.next_if(under_way, taken, !last);
+        next_twins(m, "fill_under_way_or_between", [under_way, between], taken.mux(!last, under_way));
         m.next_if(count, taken, last.mux(lit(count.width(), 0), count.add_lit(1)));
         let kept = m.wire("fill_kept", under_way.mux(kept_before, may_keep));
         m.next_if(kept_before, taken, kept);
@@ -208,8 +210,11 @@ pub fn module(config: &Config) -> Module {
     let in_lookup = l.valid & l.request.slot.eq(fill_slot);
     let in_head = fetch.valid & fetch_slot.eq(fill_slot);
     let may_keep = m.wire("may_keep", !(in_lookup | in_head));
-    let runs = m.wire("runs", run.valid & !fill.under_way);
-    let stored = fill.store(&mut m, config, flows & !runs, may_keep);
+    let runs = m.wire("runs", run.valid & fill.between);
+    // As `!runs`, by registers of its own: a beat moves hundreds of flip-flops.
+    let run_empty = m.reg_reset("run_empty", 1, 1);
+    let comes = m.wire("comes", flows & (run_empty | fill.under_way));
+    let stored = fill.store(&mut m, config, comes, may_keep);
 
     // A hit waits for the leaf that is read, a miss for the way to the memory. Whether a slot's points are there, and whether they are
     // those of the leaf, is found as its lookup begins; they may be complete later.
@@ -231,7 +236,7 @@ pub fn module(config: &Config) -> Module {
     let run_last = m.wire("run_last", is_last(config, run_count.add_lit(1).eq(run.request.fetch.beats)));
     let step = m.wire("run_step", flows & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
-    m.next(run.valid, hits | (run.valid & !(step & run_last)));
+    next_twins(&mut m, "run_valid_or_empty", [run.valid, run_empty], hits | (run.valid & !(step & run_last)));
     // Never of a slot that is written: what is written need not be told from what is read.
     let read = m.read_if(stored.points, "read", step, word_of(config, run.request.slot, *run_count));
 

@@ -36,16 +36,16 @@ pub fn module(config: &Config) -> Module {
     let kept = Passage::<Candidates>::place(&mut m, "kept_queue", queue);
     let room = kept.room(&mut m);
 
-    // s1: the radius is there; s2: it is known whether a lane is nearer. `decides` moves all of s2; s1 and the queue before it hang on
-    // another register.
+    // s1: the radius is there; s2: it is known whether a lane is nearer. `decides` moves all of s2, `advance` all of s1; s1 and the queue
+    // before it hang on other registers.
     let decides = m.forward("decides", 1);
     let decides_early = m.forward("decides_early", 1);
-    let s1_valid = m.reg_reset("s1_valid", 1, 0);
+    let [s1_valid, s1_empty] = twins(&mut m, ["s1_valid", "s1_empty"]);
     let advance = m.wire("advance", !s1_valid | decides_early);
-    m.next_if(s1_valid, advance, head.valid);
+    next_twins(&mut m, "s1_valid_or_empty", [s1_valid, s1_empty], advance.mux(head.valid, s1_valid));
     let s1 = head.record.register(&mut m, config, "s1_", advance);
     let radius2 = radii(&mut m, config, [start.into(), radius.into()], advance, head.record.place.thread.thread);
-    m.drive(head.ready, advance);
+    m.drive(head.ready, s1_empty | decides_early);
     let [s2_valid, s2_empty] = twins(&mut m, ["s2_valid", "s2_empty"]);
     next_twins(&mut m, "s2_valid_or_empty", [s2_valid, s2_empty], decides.mux(s1_valid, s2_valid));
     let s2_survives = m.reg("s2_survives", 1);

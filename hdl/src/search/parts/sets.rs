@@ -12,8 +12,17 @@ pub(crate) fn set(members: &[Expr]) -> Expr {
 #[track_caller]
 pub(crate) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: u32) -> Expr {
     let (valid, number) = (valid.into(), number.into());
-    let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
-    set(&members)
+    let width = number.width();
+    let member = |member: u32| match width {
+        0..4 => valid & number.eq_lit(member.into()),
+        // In two halves, so that few ask for `valid`.
+        _ => {
+            let half = width / 2;
+            let high = valid & number.bits(width - 1, half).eq_lit((member >> half).into());
+            high & number.trunc(half).eq_lit((member & ((1 << half) - 1)).into())
+        }
+    };
+    set(&(0..count).map(member).collect::<Vec<_>>())
 }
 
 /// Whether a number is in a set.

@@ -134,11 +134,11 @@ impl Stages<'_> {
         m.drive(free, !beat.valid | choice.ends);
         let take = m.wire("take", callers.holds & (free & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
-        let is_fresh = m.wire("is_fresh", contains(working.fresh, head_thread));
-        let take_reads = !follows | (!beat.valid & is_fresh);
+        // One that follows another is of the thread of what is behind that, which is known at the start of the cycle.
+        let tail = m.wire("tail", item.valid.mux(item.thread, !working.not_owner));
+        let take_reads = !follows | (!beat.valid & contains(working.fresh, tail));
         m.next(beat.reads, take.mux(take_reads, beat.reads & fetch.waits));
         m.next(beat.began, !take & (beat.began | fetch.moves));
-        let tail = item.valid.mux(item.thread, working.owner);
         let follows_tail = (item.valid | working.owned) & tail.eq(head_thread);
         let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
         let second_told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
