@@ -6304,7 +6304,7 @@ module search_point_cache (
 );
     (* ram_style = "distributed" *)
     reg [21:0] tags [0:63];
-    reg fill_under_way;
+    reg fill_under_way, fill_between;
     reg [5:0] fill_slot_before;
     reg [2:0] fill_count;
     reg fill_kept_before, l_valid;
@@ -6317,7 +6317,7 @@ module search_point_cache (
     reg [21:0] run_address;  // First beat.
     reg [2:0] run_beats;  // Number of beats, at least one.
     reg [5:0] run_slot;  // The slot.
-    reg stores;
+    reg run_empty, stores;
     reg [7:0] stored_at;
     reg [383:0] stored_points;
     reg began, complete;
@@ -6370,7 +6370,7 @@ module search_point_cache (
 
     wire s_empty_or_beat_queue_in_ready = s_empty | beat_queue_in_ready;
     wire flows = r_empty | s_empty_or_beat_queue_in_ready;
-    wire runs = run_valid & ~fill_under_way;
+    wire runs = run_valid & fill_between;
     wire run_step = flows & runs;
     wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
     wire hit = l_present & &l_same;
@@ -6379,9 +6379,10 @@ module search_point_cache (
     wire advance_l = ~l_valid | (hits | misses);
     wire advance_s = ~s_valid | beat_queue_in_ready;
     wire [5:0] fill_queue_in_data_unequal = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12] ^ {2'd0, fill_address[21:18]};
-    wire fill_queue_out_ready = flows & ~runs;
-    wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
+    wire comes = flows & (run_empty | fill_under_way);
+    wire fill_taken = fill_queue_out_valid & comes;
     wire fill_queue_out_last = fill_queue_out_data[390];
+    wire fill_under_way_choice = fill_taken ? ~fill_queue_out_last : fill_under_way;
     wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
     wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
     wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
@@ -6393,119 +6394,108 @@ module search_point_cache (
     wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
     wire [2:0] run_count_plus_1 = run_count + 3'd1;
     wire run_last = run_count_plus_1 == run_beats;
+    wire run_valid_either = hits | (run_valid & ~(run_step & run_last));
     wire store = fill_taken & fill_kept;
     wire store_and_not_fill_under_way = store & ~fill_under_way;
-    wire changed_slot_is_63 = changed_slot == 6'd63;
-    wire changed_slot_is_62 = changed_slot == 6'd62;
-    wire changed_slot_is_61 = changed_slot == 6'd61;
-    wire changed_slot_is_60 = changed_slot == 6'd60;
-    wire changed_slot_is_59 = changed_slot == 6'd59;
-    wire changed_slot_is_58 = changed_slot == 6'd58;
-    wire changed_slot_is_57 = changed_slot == 6'd57;
-    wire changed_slot_is_56 = changed_slot == 6'd56;
-    wire changed_slot_is_55 = changed_slot == 6'd55;
-    wire changed_slot_is_54 = changed_slot == 6'd54;
-    wire changed_slot_is_53 = changed_slot == 6'd53;
-    wire changed_slot_is_52 = changed_slot == 6'd52;
-    wire changed_slot_is_51 = changed_slot == 6'd51;
-    wire changed_slot_is_50 = changed_slot == 6'd50;
-    wire changed_slot_is_49 = changed_slot == 6'd49;
-    wire changed_slot_is_48 = changed_slot == 6'd48;
-    wire changed_slot_is_47 = changed_slot == 6'd47;
-    wire changed_slot_is_46 = changed_slot == 6'd46;
-    wire changed_slot_is_45 = changed_slot == 6'd45;
-    wire changed_slot_is_44 = changed_slot == 6'd44;
-    wire changed_slot_is_43 = changed_slot == 6'd43;
-    wire changed_slot_is_42 = changed_slot == 6'd42;
-    wire changed_slot_is_41 = changed_slot == 6'd41;
-    wire changed_slot_is_40 = changed_slot == 6'd40;
-    wire changed_slot_is_39 = changed_slot == 6'd39;
-    wire changed_slot_is_38 = changed_slot == 6'd38;
-    wire changed_slot_is_37 = changed_slot == 6'd37;
-    wire changed_slot_is_36 = changed_slot == 6'd36;
-    wire changed_slot_is_35 = changed_slot == 6'd35;
-    wire changed_slot_is_34 = changed_slot == 6'd34;
-    wire changed_slot_is_33 = changed_slot == 6'd33;
-    wire changed_slot_is_32 = changed_slot == 6'd32;
-    wire changed_slot_is_31 = changed_slot == 6'd31;
-    wire changed_slot_is_30 = changed_slot == 6'd30;
-    wire changed_slot_is_29 = changed_slot == 6'd29;
-    wire changed_slot_is_28 = changed_slot == 6'd28;
-    wire changed_slot_is_27 = changed_slot == 6'd27;
-    wire changed_slot_is_26 = changed_slot == 6'd26;
-    wire changed_slot_is_25 = changed_slot == 6'd25;
-    wire changed_slot_is_24 = changed_slot == 6'd24;
-    wire changed_slot_is_23 = changed_slot == 6'd23;
-    wire changed_slot_is_22 = changed_slot == 6'd22;
-    wire changed_slot_is_21 = changed_slot == 6'd21;
-    wire changed_slot_is_20 = changed_slot == 6'd20;
-    wire changed_slot_is_19 = changed_slot == 6'd19;
-    wire changed_slot_is_18 = changed_slot == 6'd18;
-    wire changed_slot_is_17 = changed_slot == 6'd17;
-    wire changed_slot_is_16 = changed_slot == 6'd16;
-    wire changed_slot_is_15 = changed_slot == 6'd15;
-    wire changed_slot_is_14 = changed_slot == 6'd14;
-    wire changed_slot_is_13 = changed_slot == 6'd13;
-    wire changed_slot_is_12 = changed_slot == 6'd12;
-    wire changed_slot_is_11 = changed_slot == 6'd11;
-    wire changed_slot_is_10 = changed_slot == 6'd10;
-    wire changed_slot_is_9 = changed_slot == 6'd9;
-    wire changed_slot_is_8 = changed_slot == 6'd8;
-    wire changed_slot_is_7 = changed_slot == 6'd7;
-    wire changed_slot_is_6 = changed_slot == 6'd6;
-    wire changed_slot_is_5 = changed_slot == 6'd5;
-    wire changed_slot_is_4 = changed_slot == 6'd4;
-    wire changed_slot_is_3 = changed_slot == 6'd3;
-    wire changed_slot_is_2 = changed_slot == 6'd2;
-    wire changed_slot_is_1 = changed_slot == 6'd1;
-    wire changed_slot_is_0 = changed_slot == 6'd0;
+    wire changed_slot_5_3_is_7 = changed_slot[5:3] == 3'd7;
+    wire present_both = began & changed_slot_5_3_is_7;
+    wire changed_slot_2_0_is_7 = changed_slot[2:0] == 3'd7;
+    wire changed_slot_2_0_is_6 = changed_slot[2:0] == 3'd6;
+    wire changed_slot_2_0_is_5 = changed_slot[2:0] == 3'd5;
+    wire changed_slot_2_0_is_4 = changed_slot[2:0] == 3'd4;
+    wire changed_slot_2_0_is_3 = changed_slot[2:0] == 3'd3;
+    wire changed_slot_2_0_is_2 = changed_slot[2:0] == 3'd2;
+    wire changed_slot_2_0_is_1 = changed_slot[2:0] == 3'd1;
+    wire changed_slot_2_0_is_0 = changed_slot[2:0] == 3'd0;
+    wire changed_slot_5_3_is_6 = changed_slot[5:3] == 3'd6;
+    wire present_both_2 = began & changed_slot_5_3_is_6;
+    wire changed_slot_5_3_is_5 = changed_slot[5:3] == 3'd5;
+    wire present_both_3 = began & changed_slot_5_3_is_5;
+    wire changed_slot_5_3_is_4 = changed_slot[5:3] == 3'd4;
+    wire present_both_4 = began & changed_slot_5_3_is_4;
+    wire changed_slot_5_3_is_3 = changed_slot[5:3] == 3'd3;
+    wire present_both_5 = began & changed_slot_5_3_is_3;
+    wire changed_slot_5_3_is_2 = changed_slot[5:3] == 3'd2;
+    wire present_both_6 = began & changed_slot_5_3_is_2;
+    wire changed_slot_5_3_is_1 = changed_slot[5:3] == 3'd1;
+    wire present_both_7 = began & changed_slot_5_3_is_1;
+    wire changed_slot_5_3_is_0 = changed_slot[5:3] == 3'd0;
+    wire present_both_8 = began & changed_slot_5_3_is_0;
     wire [63:0] present_bits = {
-        began & changed_slot_is_63, began & changed_slot_is_62, began & changed_slot_is_61,
-        began & changed_slot_is_60, began & changed_slot_is_59, began & changed_slot_is_58,
-        began & changed_slot_is_57, began & changed_slot_is_56, began & changed_slot_is_55,
-        began & changed_slot_is_54, began & changed_slot_is_53, began & changed_slot_is_52,
-        began & changed_slot_is_51, began & changed_slot_is_50, began & changed_slot_is_49,
-        began & changed_slot_is_48, began & changed_slot_is_47, began & changed_slot_is_46,
-        began & changed_slot_is_45, began & changed_slot_is_44, began & changed_slot_is_43,
-        began & changed_slot_is_42, began & changed_slot_is_41, began & changed_slot_is_40,
-        began & changed_slot_is_39, began & changed_slot_is_38, began & changed_slot_is_37,
-        began & changed_slot_is_36, began & changed_slot_is_35, began & changed_slot_is_34,
-        began & changed_slot_is_33, began & changed_slot_is_32, began & changed_slot_is_31,
-        began & changed_slot_is_30, began & changed_slot_is_29, began & changed_slot_is_28,
-        began & changed_slot_is_27, began & changed_slot_is_26, began & changed_slot_is_25,
-        began & changed_slot_is_24, began & changed_slot_is_23, began & changed_slot_is_22,
-        began & changed_slot_is_21, began & changed_slot_is_20, began & changed_slot_is_19,
-        began & changed_slot_is_18, began & changed_slot_is_17, began & changed_slot_is_16,
-        began & changed_slot_is_15, began & changed_slot_is_14, began & changed_slot_is_13,
-        began & changed_slot_is_12, began & changed_slot_is_11, began & changed_slot_is_10,
-        began & changed_slot_is_9, began & changed_slot_is_8, began & changed_slot_is_7,
-        began & changed_slot_is_6, began & changed_slot_is_5, began & changed_slot_is_4,
-        began & changed_slot_is_3, began & changed_slot_is_2, began & changed_slot_is_1,
-        began & changed_slot_is_0
+        present_both & changed_slot_2_0_is_7, present_both & changed_slot_2_0_is_6,
+        present_both & changed_slot_2_0_is_5, present_both & changed_slot_2_0_is_4,
+        present_both & changed_slot_2_0_is_3, present_both & changed_slot_2_0_is_2,
+        present_both & changed_slot_2_0_is_1, present_both & changed_slot_2_0_is_0,
+        present_both_2 & changed_slot_2_0_is_7, present_both_2 & changed_slot_2_0_is_6,
+        present_both_2 & changed_slot_2_0_is_5, present_both_2 & changed_slot_2_0_is_4,
+        present_both_2 & changed_slot_2_0_is_3, present_both_2 & changed_slot_2_0_is_2,
+        present_both_2 & changed_slot_2_0_is_1, present_both_2 & changed_slot_2_0_is_0,
+        present_both_3 & changed_slot_2_0_is_7, present_both_3 & changed_slot_2_0_is_6,
+        present_both_3 & changed_slot_2_0_is_5, present_both_3 & changed_slot_2_0_is_4,
+        present_both_3 & changed_slot_2_0_is_3, present_both_3 & changed_slot_2_0_is_2,
+        present_both_3 & changed_slot_2_0_is_1, present_both_3 & changed_slot_2_0_is_0,
+        present_both_4 & changed_slot_2_0_is_7, present_both_4 & changed_slot_2_0_is_6,
+        present_both_4 & changed_slot_2_0_is_5, present_both_4 & changed_slot_2_0_is_4,
+        present_both_4 & changed_slot_2_0_is_3, present_both_4 & changed_slot_2_0_is_2,
+        present_both_4 & changed_slot_2_0_is_1, present_both_4 & changed_slot_2_0_is_0,
+        present_both_5 & changed_slot_2_0_is_7, present_both_5 & changed_slot_2_0_is_6,
+        present_both_5 & changed_slot_2_0_is_5, present_both_5 & changed_slot_2_0_is_4,
+        present_both_5 & changed_slot_2_0_is_3, present_both_5 & changed_slot_2_0_is_2,
+        present_both_5 & changed_slot_2_0_is_1, present_both_5 & changed_slot_2_0_is_0,
+        present_both_6 & changed_slot_2_0_is_7, present_both_6 & changed_slot_2_0_is_6,
+        present_both_6 & changed_slot_2_0_is_5, present_both_6 & changed_slot_2_0_is_4,
+        present_both_6 & changed_slot_2_0_is_3, present_both_6 & changed_slot_2_0_is_2,
+        present_both_6 & changed_slot_2_0_is_1, present_both_6 & changed_slot_2_0_is_0,
+        present_both_7 & changed_slot_2_0_is_7, present_both_7 & changed_slot_2_0_is_6,
+        present_both_7 & changed_slot_2_0_is_5, present_both_7 & changed_slot_2_0_is_4,
+        present_both_7 & changed_slot_2_0_is_3, present_both_7 & changed_slot_2_0_is_2,
+        present_both_7 & changed_slot_2_0_is_1, present_both_7 & changed_slot_2_0_is_0,
+        present_both_8 & changed_slot_2_0_is_7, present_both_8 & changed_slot_2_0_is_6,
+        present_both_8 & changed_slot_2_0_is_5, present_both_8 & changed_slot_2_0_is_4,
+        present_both_8 & changed_slot_2_0_is_3, present_both_8 & changed_slot_2_0_is_2,
+        present_both_8 & changed_slot_2_0_is_1, present_both_8 & changed_slot_2_0_is_0
     };
+    wire present_both_9 = complete & changed_slot_5_3_is_7;
+    wire present_both_10 = complete & changed_slot_5_3_is_6;
+    wire present_both_11 = complete & changed_slot_5_3_is_5;
+    wire present_both_12 = complete & changed_slot_5_3_is_4;
+    wire present_both_13 = complete & changed_slot_5_3_is_3;
+    wire present_both_14 = complete & changed_slot_5_3_is_2;
+    wire present_both_15 = complete & changed_slot_5_3_is_1;
+    wire present_both_16 = complete & changed_slot_5_3_is_0;
     wire [63:0] present_bits_2 = {
-        complete & changed_slot_is_63, complete & changed_slot_is_62, complete & changed_slot_is_61,
-        complete & changed_slot_is_60, complete & changed_slot_is_59, complete & changed_slot_is_58,
-        complete & changed_slot_is_57, complete & changed_slot_is_56, complete & changed_slot_is_55,
-        complete & changed_slot_is_54, complete & changed_slot_is_53, complete & changed_slot_is_52,
-        complete & changed_slot_is_51, complete & changed_slot_is_50, complete & changed_slot_is_49,
-        complete & changed_slot_is_48, complete & changed_slot_is_47, complete & changed_slot_is_46,
-        complete & changed_slot_is_45, complete & changed_slot_is_44, complete & changed_slot_is_43,
-        complete & changed_slot_is_42, complete & changed_slot_is_41, complete & changed_slot_is_40,
-        complete & changed_slot_is_39, complete & changed_slot_is_38, complete & changed_slot_is_37,
-        complete & changed_slot_is_36, complete & changed_slot_is_35, complete & changed_slot_is_34,
-        complete & changed_slot_is_33, complete & changed_slot_is_32, complete & changed_slot_is_31,
-        complete & changed_slot_is_30, complete & changed_slot_is_29, complete & changed_slot_is_28,
-        complete & changed_slot_is_27, complete & changed_slot_is_26, complete & changed_slot_is_25,
-        complete & changed_slot_is_24, complete & changed_slot_is_23, complete & changed_slot_is_22,
-        complete & changed_slot_is_21, complete & changed_slot_is_20, complete & changed_slot_is_19,
-        complete & changed_slot_is_18, complete & changed_slot_is_17, complete & changed_slot_is_16,
-        complete & changed_slot_is_15, complete & changed_slot_is_14, complete & changed_slot_is_13,
-        complete & changed_slot_is_12, complete & changed_slot_is_11, complete & changed_slot_is_10,
-        complete & changed_slot_is_9, complete & changed_slot_is_8, complete & changed_slot_is_7,
-        complete & changed_slot_is_6, complete & changed_slot_is_5, complete & changed_slot_is_4,
-        complete & changed_slot_is_3, complete & changed_slot_is_2, complete & changed_slot_is_1,
-        complete & changed_slot_is_0
+        present_both_9 & changed_slot_2_0_is_7, present_both_9 & changed_slot_2_0_is_6,
+        present_both_9 & changed_slot_2_0_is_5, present_both_9 & changed_slot_2_0_is_4,
+        present_both_9 & changed_slot_2_0_is_3, present_both_9 & changed_slot_2_0_is_2,
+        present_both_9 & changed_slot_2_0_is_1, present_both_9 & changed_slot_2_0_is_0,
+        present_both_10 & changed_slot_2_0_is_7, present_both_10 & changed_slot_2_0_is_6,
+        present_both_10 & changed_slot_2_0_is_5, present_both_10 & changed_slot_2_0_is_4,
+        present_both_10 & changed_slot_2_0_is_3, present_both_10 & changed_slot_2_0_is_2,
+        present_both_10 & changed_slot_2_0_is_1, present_both_10 & changed_slot_2_0_is_0,
+        present_both_11 & changed_slot_2_0_is_7, present_both_11 & changed_slot_2_0_is_6,
+        present_both_11 & changed_slot_2_0_is_5, present_both_11 & changed_slot_2_0_is_4,
+        present_both_11 & changed_slot_2_0_is_3, present_both_11 & changed_slot_2_0_is_2,
+        present_both_11 & changed_slot_2_0_is_1, present_both_11 & changed_slot_2_0_is_0,
+        present_both_12 & changed_slot_2_0_is_7, present_both_12 & changed_slot_2_0_is_6,
+        present_both_12 & changed_slot_2_0_is_5, present_both_12 & changed_slot_2_0_is_4,
+        present_both_12 & changed_slot_2_0_is_3, present_both_12 & changed_slot_2_0_is_2,
+        present_both_12 & changed_slot_2_0_is_1, present_both_12 & changed_slot_2_0_is_0,
+        present_both_13 & changed_slot_2_0_is_7, present_both_13 & changed_slot_2_0_is_6,
+        present_both_13 & changed_slot_2_0_is_5, present_both_13 & changed_slot_2_0_is_4,
+        present_both_13 & changed_slot_2_0_is_3, present_both_13 & changed_slot_2_0_is_2,
+        present_both_13 & changed_slot_2_0_is_1, present_both_13 & changed_slot_2_0_is_0,
+        present_both_14 & changed_slot_2_0_is_7, present_both_14 & changed_slot_2_0_is_6,
+        present_both_14 & changed_slot_2_0_is_5, present_both_14 & changed_slot_2_0_is_4,
+        present_both_14 & changed_slot_2_0_is_3, present_both_14 & changed_slot_2_0_is_2,
+        present_both_14 & changed_slot_2_0_is_1, present_both_14 & changed_slot_2_0_is_0,
+        present_both_15 & changed_slot_2_0_is_7, present_both_15 & changed_slot_2_0_is_6,
+        present_both_15 & changed_slot_2_0_is_5, present_both_15 & changed_slot_2_0_is_4,
+        present_both_15 & changed_slot_2_0_is_3, present_both_15 & changed_slot_2_0_is_2,
+        present_both_15 & changed_slot_2_0_is_1, present_both_15 & changed_slot_2_0_is_0,
+        present_both_16 & changed_slot_2_0_is_7, present_both_16 & changed_slot_2_0_is_6,
+        present_both_16 & changed_slot_2_0_is_5, present_both_16 & changed_slot_2_0_is_4,
+        present_both_16 & changed_slot_2_0_is_3, present_both_16 & changed_slot_2_0_is_2,
+        present_both_16 & changed_slot_2_0_is_1, present_both_16 & changed_slot_2_0_is_0
     };
     wire [21:0] tag = tags[fetch_queue_out_slot];
     wire [63:0] l_present_shifted = present >> fetch_queue_out_slot;
@@ -6568,15 +6558,17 @@ module search_point_cache (
             fill_thread, fill_address, fill_last, fill_x0, fill_y0, fill_z0, fill_x1, fill_y1, fill_z1, fill_x2,
             fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, fill_queue_in_data_unequal
         }),
-        .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
+        .out_valid(fill_queue_out_valid), .out_ready(comes), .out_data(fill_queue_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             fill_under_way <= 1'd0;
+            fill_between <= 1'd1;
             fill_count <= 3'd0;
             l_valid <= 1'd0;
             run_valid <= 1'd0;
+            run_empty <= 1'd1;
             stores <= 1'd0;
             began <= 1'd0;
             complete <= 1'd0;
@@ -6589,12 +6581,10 @@ module search_point_cache (
             event_point_hit <= 1'd0;
             event_point_miss <= 1'd0;
         end else begin
-            if (fill_taken) begin
-                fill_under_way <= ~fill_queue_out_last;
-                fill_count <= fill_queue_out_last ? 3'd0 : (fill_count + 3'd1);
-            end
-            if (advance_l) l_valid <= fetch_queue_out_valid;
-            run_valid <= hits | (run_valid & ~(run_step & run_last));
+            fill_under_way <= fill_under_way_choice;
+            fill_between <= ~fill_under_way_choice;
+            run_valid <= run_valid_either;
+            run_empty <= ~run_valid_either;
             stores <= store;
             began <= store_and_not_fill_under_way;
             complete <= store & fill_queue_out_last;
@@ -6605,6 +6595,8 @@ module search_point_cache (
             s_empty <= ~s_valid_choice;
             event_point_hit <= hits;
             event_point_miss <= misses;
+            if (fill_taken) fill_count <= fill_queue_out_last ? 3'd0 : (fill_count + 3'd1);
+            if (advance_l) l_valid <= fetch_queue_out_valid;
             if (run_step) run_count <= run_last ? 3'd0 : run_count_plus_1;
         end
     end
@@ -6680,11 +6672,19 @@ module search_point_cache (
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
+        fill_under_way_or_between: assert (fill_under_way ^ fill_between);
+        run_valid_or_empty: assert (run_valid ^ run_empty);
         r_valid_or_empty: assert (r_valid ^ r_empty);
         s_valid_or_empty: assert (s_valid ^ s_empty);
         what_is_read_is_there: assert (~run_valid | (check_both | (complete & changed_slot_is_run_slot)));
         what_is_looked_up_is_known: assert (~(l_valid & l_present) | check_either);
 `else
+        if (!(fill_under_way ^ fill_between)) begin
+            $display("assertion failed: fill_under_way_or_between in %m"); $stop;
+        end
+        if (!(run_valid ^ run_empty)) begin
+            $display("assertion failed: run_valid_or_empty in %m"); $stop;
+        end
         if (!(r_valid ^ r_empty)) begin $display("assertion failed: r_valid_or_empty in %m"); $stop; end
         if (!(s_valid ^ s_empty)) begin $display("assertion failed: s_valid_or_empty in %m"); $stop; end
         if (!(~run_valid | (check_both | (complete & changed_slot_is_run_slot)))) begin
@@ -7107,27 +7107,45 @@ module search_queue (
         query[0] ? 31'd0 : query[61:31]
     };
     wire reads = moves & beat_reads;
+    wire fresh_both = reads & (beat_thread[3:2] == 2'd3);
+    wire beat_thread_1_0_is_3 = beat_thread[1:0] == 2'd3;
+    wire beat_thread_1_0_is_2 = beat_thread[1:0] == 2'd2;
+    wire beat_thread_1_0_is_1 = beat_thread[1:0] == 2'd1;
+    wire beat_thread_1_0_is_0 = beat_thread[1:0] == 2'd0;
+    wire fresh_both_2 = reads & (beat_thread[3:2] == 2'd2);
+    wire fresh_both_3 = reads & (beat_thread[3:2] == 2'd1);
+    wire fresh_both_4 = reads & (beat_thread[3:2] == 2'd0);
     wire [15:0] fresh_bits = {
-        reads & (beat_thread == 4'd15), reads & (beat_thread == 4'd14), reads & (beat_thread == 4'd13),
-        reads & (beat_thread == 4'd12), reads & (beat_thread == 4'd11), reads & (beat_thread == 4'd10),
-        reads & (beat_thread == 4'd9), reads & (beat_thread == 4'd8), reads & (beat_thread == 4'd7),
-        reads & (beat_thread == 4'd6), reads & (beat_thread == 4'd5), reads & (beat_thread == 4'd4),
-        reads & (beat_thread == 4'd3), reads & (beat_thread == 4'd2), reads & (beat_thread == 4'd1),
-        reads & (beat_thread == 4'd0)
+        fresh_both & beat_thread_1_0_is_3, fresh_both & beat_thread_1_0_is_2,
+        fresh_both & beat_thread_1_0_is_1, fresh_both & beat_thread_1_0_is_0,
+        fresh_both_2 & beat_thread_1_0_is_3, fresh_both_2 & beat_thread_1_0_is_2,
+        fresh_both_2 & beat_thread_1_0_is_1, fresh_both_2 & beat_thread_1_0_is_0,
+        fresh_both_3 & beat_thread_1_0_is_3, fresh_both_3 & beat_thread_1_0_is_2,
+        fresh_both_3 & beat_thread_1_0_is_1, fresh_both_3 & beat_thread_1_0_is_0,
+        fresh_both_4 & beat_thread_1_0_is_3, fresh_both_4 & beat_thread_1_0_is_2,
+        fresh_both_4 & beat_thread_1_0_is_1, fresh_both_4 & beat_thread_1_0_is_0
     };
+    wire query_set_both = start_valid & (start_thread[3:2] == 2'd3);
+    wire start_thread_1_0_is_3 = start_thread[1:0] == 2'd3;
+    wire start_thread_1_0_is_2 = start_thread[1:0] == 2'd2;
+    wire start_thread_1_0_is_1 = start_thread[1:0] == 2'd1;
+    wire start_thread_1_0_is_0 = start_thread[1:0] == 2'd0;
+    wire query_set_both_2 = start_valid & (start_thread[3:2] == 2'd2);
+    wire query_set_both_3 = start_valid & (start_thread[3:2] == 2'd1);
+    wire query_set_both_4 = start_valid & (start_thread[3:2] == 2'd0);
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
+        query_set_both & start_thread_1_0_is_3, query_set_both & start_thread_1_0_is_2,
+        query_set_both & start_thread_1_0_is_1, query_set_both & start_thread_1_0_is_0,
+        query_set_both_2 & start_thread_1_0_is_3, query_set_both_2 & start_thread_1_0_is_2,
+        query_set_both_2 & start_thread_1_0_is_1, query_set_both_2 & start_thread_1_0_is_0,
+        query_set_both_3 & start_thread_1_0_is_3, query_set_both_3 & start_thread_1_0_is_2,
+        query_set_both_3 & start_thread_1_0_is_1, query_set_both_3 & start_thread_1_0_is_0,
+        query_set_both_4 & start_thread_1_0_is_3, query_set_both_4 & start_thread_1_0_is_2,
+        query_set_both_4 & start_thread_1_0_is_1, query_set_both_4 & start_thread_1_0_is_0
     };
-    wire [15:0] is_fresh_shifted = fresh >> callers_head[5:2];
-    wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & is_fresh);
+    wire [3:0] tail = item_valid ? item_thread : ~not_owner;
+    wire [15:0] fresh_shifted_by_tail = fresh >> tail;
+    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & fresh_shifted_by_tail[0]);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
     wire farthest_will_be_known_both = (farthest_thread == callers_head[5:2]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
@@ -7248,15 +7266,23 @@ module search_queue (
     wire [30:0] item_distance2_reset_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [30:0] item_distance2_reset_choice_2 = chosen[0] ? beat_distance0 : item_distance2_reset_choice;
     wire [30:0] item_distance2_inverse_inverted = ~item_distance2_reset_choice_2;
+    wire leaf_set_both = radius_valid & (radius_thread[3:2] == 2'd3);
+    wire radius_thread_1_0_is_3 = radius_thread[1:0] == 2'd3;
+    wire radius_thread_1_0_is_2 = radius_thread[1:0] == 2'd2;
+    wire radius_thread_1_0_is_1 = radius_thread[1:0] == 2'd1;
+    wire radius_thread_1_0_is_0 = radius_thread[1:0] == 2'd0;
+    wire leaf_set_both_2 = radius_valid & (radius_thread[3:2] == 2'd2);
+    wire leaf_set_both_3 = radius_valid & (radius_thread[3:2] == 2'd1);
+    wire leaf_set_both_4 = radius_valid & (radius_thread[3:2] == 2'd0);
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
+        leaf_set_both & radius_thread_1_0_is_3, leaf_set_both & radius_thread_1_0_is_2,
+        leaf_set_both & radius_thread_1_0_is_1, leaf_set_both & radius_thread_1_0_is_0,
+        leaf_set_both_2 & radius_thread_1_0_is_3, leaf_set_both_2 & radius_thread_1_0_is_2,
+        leaf_set_both_2 & radius_thread_1_0_is_1, leaf_set_both_2 & radius_thread_1_0_is_0,
+        leaf_set_both_3 & radius_thread_1_0_is_3, leaf_set_both_3 & radius_thread_1_0_is_2,
+        leaf_set_both_3 & radius_thread_1_0_is_1, leaf_set_both_3 & radius_thread_1_0_is_0,
+        leaf_set_both_4 & radius_thread_1_0_is_3, leaf_set_both_4 & radius_thread_1_0_is_2,
+        leaf_set_both_4 & radius_thread_1_0_is_1, leaf_set_both_4 & radius_thread_1_0_is_0
     };
     wire fetching_or_result_transfer = fetching | result_transfer;
 
@@ -7444,12 +7470,12 @@ module search_queue (
 
     wire _unused = &{
         1'b0, fetch_from_nothing_shifted[15:1], first_limit_shifted[15:1], fresh_shifted_by_beat_thread[15:1],
-        is_fresh_shifted[15:1], start_radius2[31], start_x, start_y, start_z
+        fresh_shifted_by_tail[15:1], start_radius2[31], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
     wire [15:0] check_shifted = fresh >> readout_thread;
-    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == callers_head[5:2]);
+    wire check_both = (item_valid | owned) & (tail == callers_head[5:2]);
     wire check_choice = beat_valid ? (callers_head[1] == (beat_thread == callers_head[5:2])) : (callers_head[1] == check_both);
     wire check_both_2 = check_choice & (~beat_valid | (beat_began | (callers_head[0] == check_both)));
 
@@ -7539,7 +7565,7 @@ module search_sieve (
     reg [30:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [30:0] leaf_radii [0:15];
-    reg s1_valid;
+    reg s1_valid, s1_empty;
     reg [3:0] s1_thread;  // Thread.
     reg [21:0] s1_address;  // Address in the point memory.
     reg s1_last;  // Closes its leaf.
@@ -7568,11 +7594,13 @@ module search_sieve (
     wire [150:0] kept_queue_out_data;
 
     wire decides_early = s2_empty | (~(held_valid & (held_last | s2_survives)) | kept_queue_in_ready);
-    wire advance = ~s1_valid | decides_early;
+    wire candidates_queue_out_ready = s1_empty | decides_early;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire leaves = displaced & kept_queue_in_ready;
+    wire advance = ~s1_valid | decides_early;
+    wire s1_valid_choice = advance ? candidates_queue_out_valid : s1_valid;
     wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[150:147];
     wire [21:0] candidates_queue_out_address = candidates_queue_out_data[146:125];
     wire candidates_queue_out_last = candidates_queue_out_data[124];
@@ -7580,25 +7608,41 @@ module search_sieve (
     wire [30:0] candidates_queue_out_distance1 = candidates_queue_out_data[92:62];
     wire [30:0] candidates_queue_out_distance2 = candidates_queue_out_data[61:31];
     wire [30:0] candidates_queue_out_distance3 = candidates_queue_out_data[30:0];
+    wire query_set_both = start_valid & (start_thread[3:2] == 2'd3);
+    wire start_thread_1_0_is_3 = start_thread[1:0] == 2'd3;
+    wire start_thread_1_0_is_2 = start_thread[1:0] == 2'd2;
+    wire start_thread_1_0_is_1 = start_thread[1:0] == 2'd1;
+    wire start_thread_1_0_is_0 = start_thread[1:0] == 2'd0;
+    wire query_set_both_2 = start_valid & (start_thread[3:2] == 2'd2);
+    wire query_set_both_3 = start_valid & (start_thread[3:2] == 2'd1);
+    wire query_set_both_4 = start_valid & (start_thread[3:2] == 2'd0);
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
+        query_set_both & start_thread_1_0_is_3, query_set_both & start_thread_1_0_is_2,
+        query_set_both & start_thread_1_0_is_1, query_set_both & start_thread_1_0_is_0,
+        query_set_both_2 & start_thread_1_0_is_3, query_set_both_2 & start_thread_1_0_is_2,
+        query_set_both_2 & start_thread_1_0_is_1, query_set_both_2 & start_thread_1_0_is_0,
+        query_set_both_3 & start_thread_1_0_is_3, query_set_both_3 & start_thread_1_0_is_2,
+        query_set_both_3 & start_thread_1_0_is_1, query_set_both_3 & start_thread_1_0_is_0,
+        query_set_both_4 & start_thread_1_0_is_3, query_set_both_4 & start_thread_1_0_is_2,
+        query_set_both_4 & start_thread_1_0_is_1, query_set_both_4 & start_thread_1_0_is_0
     };
+    wire leaf_set_both = radius_valid & (radius_thread[3:2] == 2'd3);
+    wire radius_thread_1_0_is_3 = radius_thread[1:0] == 2'd3;
+    wire radius_thread_1_0_is_2 = radius_thread[1:0] == 2'd2;
+    wire radius_thread_1_0_is_1 = radius_thread[1:0] == 2'd1;
+    wire radius_thread_1_0_is_0 = radius_thread[1:0] == 2'd0;
+    wire leaf_set_both_2 = radius_valid & (radius_thread[3:2] == 2'd2);
+    wire leaf_set_both_3 = radius_valid & (radius_thread[3:2] == 2'd1);
+    wire leaf_set_both_4 = radius_valid & (radius_thread[3:2] == 2'd0);
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
+        leaf_set_both & radius_thread_1_0_is_3, leaf_set_both & radius_thread_1_0_is_2,
+        leaf_set_both & radius_thread_1_0_is_1, leaf_set_both & radius_thread_1_0_is_0,
+        leaf_set_both_2 & radius_thread_1_0_is_3, leaf_set_both_2 & radius_thread_1_0_is_2,
+        leaf_set_both_2 & radius_thread_1_0_is_1, leaf_set_both_2 & radius_thread_1_0_is_0,
+        leaf_set_both_3 & radius_thread_1_0_is_3, leaf_set_both_3 & radius_thread_1_0_is_2,
+        leaf_set_both_3 & radius_thread_1_0_is_1, leaf_set_both_3 & radius_thread_1_0_is_0,
+        leaf_set_both_4 & radius_thread_1_0_is_3, leaf_set_both_4 & radius_thread_1_0_is_2,
+        leaf_set_both_4 & radius_thread_1_0_is_1, leaf_set_both_4 & radius_thread_1_0_is_0
     };
     wire [15:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
     wire [30:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
@@ -7621,7 +7665,8 @@ module search_sieve (
             candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
             candidates_distance2, candidates_distance3
         }),
-        .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
+        .out_valid(candidates_queue_out_valid), .out_ready(candidates_queue_out_ready),
+        .out_data(candidates_queue_out_data)
     );
 
     stream_fifo_d16_w151 kept_queue (
@@ -7635,12 +7680,14 @@ module search_sieve (
     always @(posedge clk) begin
         if (rst) begin
             s1_valid <= 1'd0;
+            s1_empty <= 1'd1;
             s2_valid <= 1'd0;
             s2_empty <= 1'd1;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
-            if (advance) s1_valid <= candidates_queue_out_valid;
+            s1_valid <= s1_valid_choice;
+            s1_empty <= ~s1_valid_choice;
             s2_valid <= s2_valid_choice;
             s2_empty <= ~s2_valid_choice;
             held_valid <= keep | (held_valid & ~leaves);
@@ -7689,11 +7736,15 @@ module search_sieve (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
+        s1_valid_or_empty: assert (s1_valid ^ s1_empty);
         s2_valid_or_empty: assert (s2_valid ^ s2_empty);
         decides_as_early: assert (decides == decides_early);
 `else
         if (!(~start_valid | (start_radius2 < 32'h80000000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(s1_valid ^ s1_empty)) begin
+            $display("assertion failed: s1_valid_or_empty in %m"); $stop;
         end
         if (!(s2_valid ^ s2_empty)) begin
             $display("assertion failed: s2_valid_or_empty in %m"); $stop;
@@ -8629,25 +8680,41 @@ module search_recursion (
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire r2_valid_choice = advance ? r1_valid : r2_valid;
+    wire query_set_both = start_valid & (start_thread[3:2] == 2'd3);
+    wire start_thread_1_0_is_3 = start_thread[1:0] == 2'd3;
+    wire start_thread_1_0_is_2 = start_thread[1:0] == 2'd2;
+    wire start_thread_1_0_is_1 = start_thread[1:0] == 2'd1;
+    wire start_thread_1_0_is_0 = start_thread[1:0] == 2'd0;
+    wire query_set_both_2 = start_valid & (start_thread[3:2] == 2'd2);
+    wire query_set_both_3 = start_valid & (start_thread[3:2] == 2'd1);
+    wire query_set_both_4 = start_valid & (start_thread[3:2] == 2'd0);
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
+        query_set_both & start_thread_1_0_is_3, query_set_both & start_thread_1_0_is_2,
+        query_set_both & start_thread_1_0_is_1, query_set_both & start_thread_1_0_is_0,
+        query_set_both_2 & start_thread_1_0_is_3, query_set_both_2 & start_thread_1_0_is_2,
+        query_set_both_2 & start_thread_1_0_is_1, query_set_both_2 & start_thread_1_0_is_0,
+        query_set_both_3 & start_thread_1_0_is_3, query_set_both_3 & start_thread_1_0_is_2,
+        query_set_both_3 & start_thread_1_0_is_1, query_set_both_3 & start_thread_1_0_is_0,
+        query_set_both_4 & start_thread_1_0_is_3, query_set_both_4 & start_thread_1_0_is_2,
+        query_set_both_4 & start_thread_1_0_is_1, query_set_both_4 & start_thread_1_0_is_0
     };
+    wire leaf_set_both = radius_valid & (radius_thread[3:2] == 2'd3);
+    wire radius_thread_1_0_is_3 = radius_thread[1:0] == 2'd3;
+    wire radius_thread_1_0_is_2 = radius_thread[1:0] == 2'd2;
+    wire radius_thread_1_0_is_1 = radius_thread[1:0] == 2'd1;
+    wire radius_thread_1_0_is_0 = radius_thread[1:0] == 2'd0;
+    wire leaf_set_both_2 = radius_valid & (radius_thread[3:2] == 2'd2);
+    wire leaf_set_both_3 = radius_valid & (radius_thread[3:2] == 2'd1);
+    wire leaf_set_both_4 = radius_valid & (radius_thread[3:2] == 2'd0);
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
+        leaf_set_both & radius_thread_1_0_is_3, leaf_set_both & radius_thread_1_0_is_2,
+        leaf_set_both & radius_thread_1_0_is_1, leaf_set_both & radius_thread_1_0_is_0,
+        leaf_set_both_2 & radius_thread_1_0_is_3, leaf_set_both_2 & radius_thread_1_0_is_2,
+        leaf_set_both_2 & radius_thread_1_0_is_1, leaf_set_both_2 & radius_thread_1_0_is_0,
+        leaf_set_both_3 & radius_thread_1_0_is_3, leaf_set_both_3 & radius_thread_1_0_is_2,
+        leaf_set_both_3 & radius_thread_1_0_is_1, leaf_set_both_3 & radius_thread_1_0_is_0,
+        leaf_set_both_4 & radius_thread_1_0_is_3, leaf_set_both_4 & radius_thread_1_0_is_2,
+        leaf_set_both_4 & radius_thread_1_0_is_1, leaf_set_both_4 & radius_thread_1_0_is_0
     };
     wire [15:0] from_leaf_shifted_by_r1_thread = from_leaf >> r1_thread;
     wire [30:0] leaf_radius2 = leaf_radii[r1_thread];
@@ -8821,23 +8888,38 @@ module search_stack (
     wire [3:0] pop_depth_choice_4 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
     wire [3:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? pop_depth_choice : pop_depth_choice_2) : pop_thread[2] ? pop_depth_choice_3 : pop_depth_choice_4;
     wire takes = pop_valid & |pop_depth;
+    wire up_both = push_valid & (push_thread[3:2] == 2'd3);
+    wire push_thread_1_0_is_3 = push_thread[1:0] == 2'd3;
+    wire push_thread_1_0_is_2 = push_thread[1:0] == 2'd2;
+    wire push_thread_1_0_is_1 = push_thread[1:0] == 2'd1;
+    wire push_thread_1_0_is_0 = push_thread[1:0] == 2'd0;
+    wire up_both_2 = push_valid & (push_thread[3:2] == 2'd2);
+    wire up_both_3 = push_valid & (push_thread[3:2] == 2'd1);
+    wire up_both_4 = push_valid & (push_thread[3:2] == 2'd0);
     wire [15:0] up = {
-        push_valid & (push_thread == 4'd15), push_valid & (push_thread == 4'd14),
-        push_valid & (push_thread == 4'd13), push_valid & (push_thread == 4'd12),
-        push_valid & (push_thread == 4'd11), push_valid & (push_thread == 4'd10),
-        push_valid & (push_thread == 4'd9), push_valid & (push_thread == 4'd8),
-        push_valid & (push_thread == 4'd7), push_valid & (push_thread == 4'd6),
-        push_valid & (push_thread == 4'd5), push_valid & (push_thread == 4'd4),
-        push_valid & (push_thread == 4'd3), push_valid & (push_thread == 4'd2),
-        push_valid & (push_thread == 4'd1), push_valid & (push_thread == 4'd0)
+        up_both & push_thread_1_0_is_3, up_both & push_thread_1_0_is_2, up_both & push_thread_1_0_is_1,
+        up_both & push_thread_1_0_is_0, up_both_2 & push_thread_1_0_is_3, up_both_2 & push_thread_1_0_is_2,
+        up_both_2 & push_thread_1_0_is_1, up_both_2 & push_thread_1_0_is_0, up_both_3 & push_thread_1_0_is_3,
+        up_both_3 & push_thread_1_0_is_2, up_both_3 & push_thread_1_0_is_1, up_both_3 & push_thread_1_0_is_0,
+        up_both_4 & push_thread_1_0_is_3, up_both_4 & push_thread_1_0_is_2, up_both_4 & push_thread_1_0_is_1,
+        up_both_4 & push_thread_1_0_is_0
     };
+    wire down_both = takes & (pop_thread[3:2] == 2'd3);
+    wire pop_thread_1_0_is_3 = pop_thread[1:0] == 2'd3;
+    wire pop_thread_1_0_is_2 = pop_thread[1:0] == 2'd2;
+    wire pop_thread_1_0_is_1 = pop_thread[1:0] == 2'd1;
+    wire pop_thread_1_0_is_0 = pop_thread[1:0] == 2'd0;
+    wire down_both_2 = takes & (pop_thread[3:2] == 2'd2);
+    wire down_both_3 = takes & (pop_thread[3:2] == 2'd1);
+    wire down_both_4 = takes & (pop_thread[3:2] == 2'd0);
     wire [15:0] down = {
-        takes & (pop_thread == 4'd15), takes & (pop_thread == 4'd14), takes & (pop_thread == 4'd13),
-        takes & (pop_thread == 4'd12), takes & (pop_thread == 4'd11), takes & (pop_thread == 4'd10),
-        takes & (pop_thread == 4'd9), takes & (pop_thread == 4'd8), takes & (pop_thread == 4'd7),
-        takes & (pop_thread == 4'd6), takes & (pop_thread == 4'd5), takes & (pop_thread == 4'd4),
-        takes & (pop_thread == 4'd3), takes & (pop_thread == 4'd2), takes & (pop_thread == 4'd1),
-        takes & (pop_thread == 4'd0)
+        down_both & pop_thread_1_0_is_3, down_both & pop_thread_1_0_is_2, down_both & pop_thread_1_0_is_1,
+        down_both & pop_thread_1_0_is_0, down_both_2 & pop_thread_1_0_is_3, down_both_2 & pop_thread_1_0_is_2,
+        down_both_2 & pop_thread_1_0_is_1, down_both_2 & pop_thread_1_0_is_0,
+        down_both_3 & pop_thread_1_0_is_3, down_both_3 & pop_thread_1_0_is_2,
+        down_both_3 & pop_thread_1_0_is_1, down_both_3 & pop_thread_1_0_is_0,
+        down_both_4 & pop_thread_1_0_is_3, down_both_4 & pop_thread_1_0_is_2,
+        down_both_4 & pop_thread_1_0_is_1, down_both_4 & pop_thread_1_0_is_0
     };
 
     assign {top_node, top_distance2} = top;
@@ -9523,48 +9605,80 @@ module search_threads (
     assign query_ready = any_free & ~start_valid & descend_queue_in_ready;
     wire [15:0] free = ~busy & (16'd0 - ~busy);
     wire take = query_valid & query_ready;
+    wire released_set_both = released_valid & (released_thread[3:2] == 2'd3);
+    wire released_thread_1_0_is_3 = released_thread[1:0] == 2'd3;
+    wire released_thread_1_0_is_2 = released_thread[1:0] == 2'd2;
+    wire released_thread_1_0_is_1 = released_thread[1:0] == 2'd1;
+    wire released_thread_1_0_is_0 = released_thread[1:0] == 2'd0;
+    wire released_set_both_2 = released_valid & (released_thread[3:2] == 2'd2);
+    wire released_set_both_3 = released_valid & (released_thread[3:2] == 2'd1);
+    wire released_set_both_4 = released_valid & (released_thread[3:2] == 2'd0);
     wire [15:0] released_set = {
-        released_valid & (released_thread == 4'd15), released_valid & (released_thread == 4'd14),
-        released_valid & (released_thread == 4'd13), released_valid & (released_thread == 4'd12),
-        released_valid & (released_thread == 4'd11), released_valid & (released_thread == 4'd10),
-        released_valid & (released_thread == 4'd9), released_valid & (released_thread == 4'd8),
-        released_valid & (released_thread == 4'd7), released_valid & (released_thread == 4'd6),
-        released_valid & (released_thread == 4'd5), released_valid & (released_thread == 4'd4),
-        released_valid & (released_thread == 4'd3), released_valid & (released_thread == 4'd2),
-        released_valid & (released_thread == 4'd1), released_valid & (released_thread == 4'd0)
+        released_set_both & released_thread_1_0_is_3, released_set_both & released_thread_1_0_is_2,
+        released_set_both & released_thread_1_0_is_1, released_set_both & released_thread_1_0_is_0,
+        released_set_both_2 & released_thread_1_0_is_3, released_set_both_2 & released_thread_1_0_is_2,
+        released_set_both_2 & released_thread_1_0_is_1, released_set_both_2 & released_thread_1_0_is_0,
+        released_set_both_3 & released_thread_1_0_is_3, released_set_both_3 & released_thread_1_0_is_2,
+        released_set_both_3 & released_thread_1_0_is_1, released_set_both_3 & released_thread_1_0_is_0,
+        released_set_both_4 & released_thread_1_0_is_3, released_set_both_4 & released_thread_1_0_is_2,
+        released_set_both_4 & released_thread_1_0_is_1, released_set_both_4 & released_thread_1_0_is_0
     };
     wire [15:0] kept = ~released_set;
     wire [15:0] busy_next = (busy | (free & {16{take}})) & kept;
+    wire leaf_done_set_both = leaf_done_valid & (leaf_done_thread[3:2] == 2'd3);
+    wire leaf_done_thread_1_0_is_3 = leaf_done_thread[1:0] == 2'd3;
+    wire leaf_done_thread_1_0_is_2 = leaf_done_thread[1:0] == 2'd2;
+    wire leaf_done_thread_1_0_is_1 = leaf_done_thread[1:0] == 2'd1;
+    wire leaf_done_thread_1_0_is_0 = leaf_done_thread[1:0] == 2'd0;
+    wire leaf_done_set_both_2 = leaf_done_valid & (leaf_done_thread[3:2] == 2'd2);
+    wire leaf_done_set_both_3 = leaf_done_valid & (leaf_done_thread[3:2] == 2'd1);
+    wire leaf_done_set_both_4 = leaf_done_valid & (leaf_done_thread[3:2] == 2'd0);
     wire [15:0] leaf_done_set = {
-        leaf_done_valid & (leaf_done_thread == 4'd15), leaf_done_valid & (leaf_done_thread == 4'd14),
-        leaf_done_valid & (leaf_done_thread == 4'd13), leaf_done_valid & (leaf_done_thread == 4'd12),
-        leaf_done_valid & (leaf_done_thread == 4'd11), leaf_done_valid & (leaf_done_thread == 4'd10),
-        leaf_done_valid & (leaf_done_thread == 4'd9), leaf_done_valid & (leaf_done_thread == 4'd8),
-        leaf_done_valid & (leaf_done_thread == 4'd7), leaf_done_valid & (leaf_done_thread == 4'd6),
-        leaf_done_valid & (leaf_done_thread == 4'd5), leaf_done_valid & (leaf_done_thread == 4'd4),
-        leaf_done_valid & (leaf_done_thread == 4'd3), leaf_done_valid & (leaf_done_thread == 4'd2),
-        leaf_done_valid & (leaf_done_thread == 4'd1), leaf_done_valid & (leaf_done_thread == 4'd0)
+        leaf_done_set_both & leaf_done_thread_1_0_is_3, leaf_done_set_both & leaf_done_thread_1_0_is_2,
+        leaf_done_set_both & leaf_done_thread_1_0_is_1, leaf_done_set_both & leaf_done_thread_1_0_is_0,
+        leaf_done_set_both_2 & leaf_done_thread_1_0_is_3, leaf_done_set_both_2 & leaf_done_thread_1_0_is_2,
+        leaf_done_set_both_2 & leaf_done_thread_1_0_is_1, leaf_done_set_both_2 & leaf_done_thread_1_0_is_0,
+        leaf_done_set_both_3 & leaf_done_thread_1_0_is_3, leaf_done_set_both_3 & leaf_done_thread_1_0_is_2,
+        leaf_done_set_both_3 & leaf_done_thread_1_0_is_1, leaf_done_set_both_3 & leaf_done_thread_1_0_is_0,
+        leaf_done_set_both_4 & leaf_done_thread_1_0_is_3, leaf_done_set_both_4 & leaf_done_thread_1_0_is_2,
+        leaf_done_set_both_4 & leaf_done_thread_1_0_is_1, leaf_done_set_both_4 & leaf_done_thread_1_0_is_0
     };
+    wire skipped_set_both = skipped_valid & (skipped_thread[3:2] == 2'd3);
+    wire skipped_thread_1_0_is_3 = skipped_thread[1:0] == 2'd3;
+    wire skipped_thread_1_0_is_2 = skipped_thread[1:0] == 2'd2;
+    wire skipped_thread_1_0_is_1 = skipped_thread[1:0] == 2'd1;
+    wire skipped_thread_1_0_is_0 = skipped_thread[1:0] == 2'd0;
+    wire skipped_set_both_2 = skipped_valid & (skipped_thread[3:2] == 2'd2);
+    wire skipped_set_both_3 = skipped_valid & (skipped_thread[3:2] == 2'd1);
+    wire skipped_set_both_4 = skipped_valid & (skipped_thread[3:2] == 2'd0);
     wire [15:0] skipped_set = {
-        skipped_valid & (skipped_thread == 4'd15), skipped_valid & (skipped_thread == 4'd14),
-        skipped_valid & (skipped_thread == 4'd13), skipped_valid & (skipped_thread == 4'd12),
-        skipped_valid & (skipped_thread == 4'd11), skipped_valid & (skipped_thread == 4'd10),
-        skipped_valid & (skipped_thread == 4'd9), skipped_valid & (skipped_thread == 4'd8),
-        skipped_valid & (skipped_thread == 4'd7), skipped_valid & (skipped_thread == 4'd6),
-        skipped_valid & (skipped_thread == 4'd5), skipped_valid & (skipped_thread == 4'd4),
-        skipped_valid & (skipped_thread == 4'd3), skipped_valid & (skipped_thread == 4'd2),
-        skipped_valid & (skipped_thread == 4'd1), skipped_valid & (skipped_thread == 4'd0)
+        skipped_set_both & skipped_thread_1_0_is_3, skipped_set_both & skipped_thread_1_0_is_2,
+        skipped_set_both & skipped_thread_1_0_is_1, skipped_set_both & skipped_thread_1_0_is_0,
+        skipped_set_both_2 & skipped_thread_1_0_is_3, skipped_set_both_2 & skipped_thread_1_0_is_2,
+        skipped_set_both_2 & skipped_thread_1_0_is_1, skipped_set_both_2 & skipped_thread_1_0_is_0,
+        skipped_set_both_3 & skipped_thread_1_0_is_3, skipped_set_both_3 & skipped_thread_1_0_is_2,
+        skipped_set_both_3 & skipped_thread_1_0_is_1, skipped_set_both_3 & skipped_thread_1_0_is_0,
+        skipped_set_both_4 & skipped_thread_1_0_is_3, skipped_set_both_4 & skipped_thread_1_0_is_2,
+        skipped_set_both_4 & skipped_thread_1_0_is_1, skipped_set_both_4 & skipped_thread_1_0_is_0
     };
     wire [15:0] leaf_ended = leaf_done_set | skipped_set;
+    wire reached_set_both = reached_valid & (reached_thread[3:2] == 2'd3);
+    wire reached_thread_1_0_is_3 = reached_thread[1:0] == 2'd3;
+    wire reached_thread_1_0_is_2 = reached_thread[1:0] == 2'd2;
+    wire reached_thread_1_0_is_1 = reached_thread[1:0] == 2'd1;
+    wire reached_thread_1_0_is_0 = reached_thread[1:0] == 2'd0;
+    wire reached_set_both_2 = reached_valid & (reached_thread[3:2] == 2'd2);
+    wire reached_set_both_3 = reached_valid & (reached_thread[3:2] == 2'd1);
+    wire reached_set_both_4 = reached_valid & (reached_thread[3:2] == 2'd0);
     wire [15:0] reached_set = {
-        reached_valid & (reached_thread == 4'd15), reached_valid & (reached_thread == 4'd14),
-        reached_valid & (reached_thread == 4'd13), reached_valid & (reached_thread == 4'd12),
-        reached_valid & (reached_thread == 4'd11), reached_valid & (reached_thread == 4'd10),
-        reached_valid & (reached_thread == 4'd9), reached_valid & (reached_thread == 4'd8),
-        reached_valid & (reached_thread == 4'd7), reached_valid & (reached_thread == 4'd6),
-        reached_valid & (reached_thread == 4'd5), reached_valid & (reached_thread == 4'd4),
-        reached_valid & (reached_thread == 4'd3), reached_valid & (reached_thread == 4'd2),
-        reached_valid & (reached_thread == 4'd1), reached_valid & (reached_thread == 4'd0)
+        reached_set_both & reached_thread_1_0_is_3, reached_set_both & reached_thread_1_0_is_2,
+        reached_set_both & reached_thread_1_0_is_1, reached_set_both & reached_thread_1_0_is_0,
+        reached_set_both_2 & reached_thread_1_0_is_3, reached_set_both_2 & reached_thread_1_0_is_2,
+        reached_set_both_2 & reached_thread_1_0_is_1, reached_set_both_2 & reached_thread_1_0_is_0,
+        reached_set_both_3 & reached_thread_1_0_is_3, reached_set_both_3 & reached_thread_1_0_is_2,
+        reached_set_both_3 & reached_thread_1_0_is_1, reached_set_both_3 & reached_thread_1_0_is_0,
+        reached_set_both_4 & reached_thread_1_0_is_3, reached_set_both_4 & reached_thread_1_0_is_2,
+        reached_set_both_4 & reached_thread_1_0_is_1, reached_set_both_4 & reached_thread_1_0_is_0
     };
     wire [1:0] outstanding_15_next_difference = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
     wire [1:0] outstanding_15_next = outstanding_15_next_difference - {1'd0, skipped_set[15]};
@@ -9606,15 +9720,23 @@ module search_threads (
         outstanding_3_next < 2'd2, outstanding_2_next < 2'd2, outstanding_1_next < 2'd2,
         outstanding_0_next < 2'd2
     };
+    wire empty_set_both = empty_valid & (empty_thread[3:2] == 2'd3);
+    wire empty_thread_1_0_is_3 = empty_thread[1:0] == 2'd3;
+    wire empty_thread_1_0_is_2 = empty_thread[1:0] == 2'd2;
+    wire empty_thread_1_0_is_1 = empty_thread[1:0] == 2'd1;
+    wire empty_thread_1_0_is_0 = empty_thread[1:0] == 2'd0;
+    wire empty_set_both_2 = empty_valid & (empty_thread[3:2] == 2'd2);
+    wire empty_set_both_3 = empty_valid & (empty_thread[3:2] == 2'd1);
+    wire empty_set_both_4 = empty_valid & (empty_thread[3:2] == 2'd0);
     wire [15:0] empty_set = {
-        empty_valid & (empty_thread == 4'd15), empty_valid & (empty_thread == 4'd14),
-        empty_valid & (empty_thread == 4'd13), empty_valid & (empty_thread == 4'd12),
-        empty_valid & (empty_thread == 4'd11), empty_valid & (empty_thread == 4'd10),
-        empty_valid & (empty_thread == 4'd9), empty_valid & (empty_thread == 4'd8),
-        empty_valid & (empty_thread == 4'd7), empty_valid & (empty_thread == 4'd6),
-        empty_valid & (empty_thread == 4'd5), empty_valid & (empty_thread == 4'd4),
-        empty_valid & (empty_thread == 4'd3), empty_valid & (empty_thread == 4'd2),
-        empty_valid & (empty_thread == 4'd1), empty_valid & (empty_thread == 4'd0)
+        empty_set_both & empty_thread_1_0_is_3, empty_set_both & empty_thread_1_0_is_2,
+        empty_set_both & empty_thread_1_0_is_1, empty_set_both & empty_thread_1_0_is_0,
+        empty_set_both_2 & empty_thread_1_0_is_3, empty_set_both_2 & empty_thread_1_0_is_2,
+        empty_set_both_2 & empty_thread_1_0_is_1, empty_set_both_2 & empty_thread_1_0_is_0,
+        empty_set_both_3 & empty_thread_1_0_is_3, empty_set_both_3 & empty_thread_1_0_is_2,
+        empty_set_both_3 & empty_thread_1_0_is_1, empty_set_both_3 & empty_thread_1_0_is_0,
+        empty_set_both_4 & empty_thread_1_0_is_3, empty_set_both_4 & empty_thread_1_0_is_2,
+        empty_set_both_4 & empty_thread_1_0_is_1, empty_set_both_4 & empty_thread_1_0_is_0
     };
     wire [15:0] exhausted_now = exhausted | empty_set;
     wire [15:0] pop_next = wants_pop & behind_pop;

@@ -379,9 +379,9 @@ module search_queue (
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] is_fresh_shifted = fresh >> callers_head[3:2];
-    wire is_fresh = is_fresh_shifted[0];
-    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & is_fresh);
+    wire [1:0] tail = item_valid ? item_thread : ~not_owner;
+    wire [3:0] fresh_shifted_by_tail = fresh >> tail;
+    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & fresh_shifted_by_tail[0]);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
     wire farthest_will_be_known_both = (farthest_thread == callers_head[3:2]) & ~farthest_will_be_known_either;
     wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
@@ -597,14 +597,14 @@ module search_queue (
 
     wire _unused = &{
         1'b0, fetch_from_nothing_shifted[3:1], first_limit_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
-        is_fresh_shifted[3:1], start_radius2[23], start_x, start_y, start_z
+        fresh_shifted_by_tail[3:1], start_radius2[23], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
     reg beat_settled;
 
     wire [3:0] check_shifted = fresh >> readout_thread;
-    wire check_both = (item_valid | owned) & ((item_valid ? item_thread : owner) == callers_head[3:2]);
+    wire check_both = (item_valid | owned) & (tail == callers_head[3:2]);
     wire check_choice = beat_valid ? (callers_head[1] == (beat_thread == callers_head[3:2])) : (callers_head[1] == check_both);
     wire check_both_2 = check_choice & (~beat_valid | (beat_began | (callers_head[0] == check_both)));
 
@@ -690,7 +690,7 @@ module search_sieve (
     reg [22:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [22:0] leaf_radii [0:3];
-    reg s1_valid;
+    reg s1_valid, s1_empty;
     reg [1:0] s1_thread;  // Thread.
     reg [15:0] s1_address;  // Address in the point memory.
     reg s1_last;  // Closes its leaf.
@@ -713,11 +713,13 @@ module search_sieve (
     wire [41:0] kept_queue_out_data;
 
     wire decides_early = s2_empty | (~(held_valid & (held_last | s2_survives)) | kept_queue_in_ready);
-    wire advance = ~s1_valid | decides_early;
+    wire candidates_queue_out_ready = s1_empty | decides_early;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire leaves = displaced & kept_queue_in_ready;
+    wire advance = ~s1_valid | decides_early;
+    wire s1_valid_choice = advance ? candidates_queue_out_valid : s1_valid;
     wire [1:0] candidates_queue_out_thread = candidates_queue_out_data[41:40];
     wire [15:0] candidates_queue_out_address = candidates_queue_out_data[39:24];
     wire candidates_queue_out_last = candidates_queue_out_data[23];
@@ -745,7 +747,8 @@ module search_sieve (
     stream_skid_w42 candidates_queue (
         .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_ready),
         .in_data({candidates_thread, candidates_address, candidates_last, candidates_distance0}),
-        .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
+        .out_valid(candidates_queue_out_valid), .out_ready(candidates_queue_out_ready),
+        .out_data(candidates_queue_out_data)
     );
 
     stream_fifo_d4_w42 kept_queue (
@@ -757,12 +760,14 @@ module search_sieve (
     always @(posedge clk) begin
         if (rst) begin
             s1_valid <= 1'd0;
+            s1_empty <= 1'd1;
             s2_valid <= 1'd0;
             s2_empty <= 1'd1;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
-            if (advance) s1_valid <= candidates_queue_out_valid;
+            s1_valid <= s1_valid_choice;
+            s1_empty <= ~s1_valid_choice;
             s2_valid <= s2_valid_choice;
             s2_empty <= ~s2_valid_choice;
             held_valid <= keep | (held_valid & ~leaves);
@@ -802,11 +807,15 @@ module search_sieve (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 24'h800000));
+        s1_valid_or_empty: assert (s1_valid ^ s1_empty);
         s2_valid_or_empty: assert (s2_valid ^ s2_empty);
         decides_as_early: assert (decides == decides_early);
 `else
         if (!(~start_valid | (start_radius2 < 24'h800000))) begin
             $display("assertion failed: start_radius2_in_range in %m"); $stop;
+        end
+        if (!(s1_valid ^ s1_empty)) begin
+            $display("assertion failed: s1_valid_or_empty in %m"); $stop;
         end
         if (!(s2_valid ^ s2_empty)) begin
             $display("assertion failed: s2_valid_or_empty in %m"); $stop;
