@@ -1,4 +1,4 @@
-//! Beats that wait, in two places: what is late in a cycle, and moves, is few bits.
+//! Beats that wait, in two places: whether one is taken is known late in a cycle, and moves few bits.
 
 use pointcore_contract::record;
 use pointcore_contract::search::Config;

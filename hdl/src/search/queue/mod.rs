@@ -4,7 +4,7 @@
 //! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Four stages: of the
 //! beat that comes next, `a`, the lanes that may be near are found, of which `b` chooses a candidate, whose place in its row is
 //! found in `c`, and which is moved there in `d`. What moves a stage's hundreds of flip-flops is known early in the cycle:
-//! beats wait in a memory, for whether one is taken is known late.
+//! beats wait in the place where they came in, for whether one is taken is known late.
 
 mod arrivals;
 mod readout;
