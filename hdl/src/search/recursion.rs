@@ -30,7 +30,7 @@ pub fn module(config: &Config) -> Module {
     let [r0_thread, r1_thread, r2_thread] =
         ["r0_thread", "r1_thread", "r2_thread"].map(|name| m.reg(name, thread_bits));
     let advance = m.wire("advance", !r2_valid | resume.room);
-    // `advance` moves all stages; the stacks, which have far to go, are asked by other registers.
+    // As `advance`, which moves all stages, but by another register: the stacks are far away.
     let pops = m.wire("pops", (r2_empty | resume.room) & r0_valid);
     PORTS.pop.drive(&mut m, config, pops, Thread { thread: *r0_thread });
     m.next_if(r1_valid, advance, r0_valid);
