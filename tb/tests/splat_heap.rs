@@ -5,9 +5,9 @@ use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Heap;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::heap;
-use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
+use pointcore_tb::lockstep::{Flow, Recorded, Run, Stall, Stalls, Stimulus, StreamPorts, StreamTestbench, Streams, seeds};
 
-use crate::splat::{Device, RUNS, scene};
+use crate::splat::{Device, RUNS, scene, stalls};
 
 const ENTRIES: usize = 6000;
 /// A tile from which others differ in one bit.
@@ -178,6 +178,28 @@ fn heaps_are_filled_to_the_brim_and_emptied() {
             assert!(last.len() > capacity / 2, "seed {seed}: {} entries are left at the end", last.len());
             let turns = last.windows(2).filter(|pair| pair[0] > pair[1]).count();
             assert!(turns <= 1, "seed {seed}: {turns} turns");
+        }
+    }
+}
+
+/// Levels, cycles of an operation and entries of heaps that are run in four states: not even the parity of marks in a memory that
+/// nothing has written may show.
+const UNKNOWN: [(u32, u32, usize); 4] = [(2, 2, 400), (3, 4, 600), (5, 2, 1000), (6, 4, 1000)];
+
+#[test]
+fn what_was_never_written_does_not_show() {
+    for (heap_levels, heap_interval, count) in UNKNOWN {
+        let config = Config { heap_levels, heap_interval, width: 61, height: 37, ..Config::default() };
+        let device = Device::new(&config, &heap::module(&config), &units::heap::UNIT);
+        for seed in seeds(RUNS).expect("POINTCORE_SEED is a number") {
+            let sent = entries(&config, count, &mut fastrand::Rng::with_seed(seed));
+            let sent = sent.iter().map(|entry| vec![entry.tile.into(), entry.pointer.into()]).collect();
+            let testbench = StreamTestbench::new(device.library(), seed).source("in", sent, stalls(seed));
+            let testbench = testbench.and_then(|testbench| testbench.sink("out", stalls(seed + 1)));
+            let recorded = Recorded::new(testbench.unwrap_or_else(|error| panic!("{error}")));
+            let run = device.lockstep(Ported::new(&config, Heap::new(&config)), seed).run(recorded);
+            let Run { stimulus, .. } = run.unwrap_or_else(|error| panic!("{error}"));
+            stimulus.replay(device.library()).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
         }
     }
 }

@@ -70,18 +70,29 @@ pub fn module(config: &Config) -> Module {
     });
     let leaf_ended = m.wire("leaf_ended", leaf_done | skipped);
     let count_bits = index_bits(config.leaves_in_flight + 1);
-    let (mut below, mut none, mut early) = (vec![], vec![], vec![]);
+    let limit = config.leaves_in_flight.into();
+    let (mut below, mut none, mut impossible) = (vec![], vec![], vec![]);
     for thread in 0..threads {
         let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);
         let [more, done, skip] = [&reached, &leaf_done, &skipped].map(|event| event.bit(thread).zext(count_bits));
         let next = m.wire(&format!("outstanding_{thread}_next"), outstanding + more - done - skip);
         m.next(outstanding, next);
-        below.push(next.lt_lit(config.leaves_in_flight.into()));
+        below.push(next.lt_lit(limit));
         none.push(next.is_zero());
-        early.push(leaf_ended.bit(thread) & !(outstanding.any() | reached.bit(thread)));
+        let has_leaves = outstanding.any() | reached.bit(thread);
+        impossible.push([
+            leaf_ended.bit(thread) & !has_leaves,
+            reached.bit(thread) & !outstanding.lt_lit(limit),
+            released.bit(thread) & has_leaves,
+        ]);
     }
     let (below, none) = (set(&below), set(&none));
-    m.assert("leaves_are_reached_before_they_end", !set(&early).any());
+    let names =
+        ["leaves_are_reached_before_they_end", "no_more_leaves_are_under_way", "threads_are_released_without_leaves"];
+    for (place, name) in names.into_iter().enumerate() {
+        let threads: Vec<_> = impossible.iter().map(|checks| checks[place]).collect();
+        m.assert(name, !set(&threads).any());
+    }
 
     let kept = m.wire("kept", !released);
     let taken = free & take.repeat(threads);

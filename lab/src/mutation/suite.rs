@@ -131,7 +131,7 @@ impl Suite {
             let numbers: Vec<_> = cases.iter().map(usize::to_string).collect();
             command.env(substitute::CASES, numbers.join(","));
         }
-        command.env("POINTCORE_PLUSARG", format!("+mutant={mutant}"));
+        command.env(substitute::ARGUMENT, format!("+mutant={mutant}"));
         process::run(command, limit, |line| line.starts_with("test ") && line.ends_with("FAILED"))
     }
 }

@@ -21,6 +21,9 @@ pub const VARIABLE: &str = "POINTCORE_SUBSTITUTES";
 /// The variable that says which of a test's [`cases`] are run, by their numbers with commas between them; all where it is not set.
 pub const CASES: &str = "POINTCORE_CASES";
 
+/// The variable with an argument for the simulator, as for Verilog that asks by `$value$plusargs`.
+pub const ARGUMENT: &str = "POINTCORE_PLUSARG";
+
 /// File of the folder with a line a build: the source's digest, its top module, the thread, which a test gives its name, and the number
 /// of the [case](cases), or a dash.
 pub const USES: &str = "uses";

@@ -3,8 +3,8 @@
 use std::fs;
 
 use pointcore_tb::lockstep::{
-    Cause, Flow, Lockstep, LockstepError, LockstepFailure, PortDifference, ProtocolViolation, Run, Stall,
-    StreamTestbench, TestbenchError, Waveform, inject, seed, seeds,
+    Cause, Flow, FourStateError, Lockstep, LockstepError, LockstepFailure, PortDifference, ProtocolViolation, Recorded,
+    Run, Stall, StreamTestbench, TestbenchError, Waveform, inject, seed, seeds,
 };
 use pointcore_tb::verilated::Direction;
 
@@ -84,6 +84,25 @@ fn what_a_reset_leaves_is_found() {
     let failure = failure(run(&broken, seed().unwrap(), Stall::Random(0.3)));
     assert!(matches!(failure.cause, Cause::Mismatch(_)), "{failure}");
     assert!(matches!(failure.waveform, Waveform::Written(_)), "{failure}");
+}
+
+#[test]
+fn what_nothing_sets_is_found_in_four_states() {
+    let whole = library(FIFO);
+    let testbench = StreamTestbench::new(&whole, 1).source("in", items(), Stall::Random(0.3)).unwrap();
+    let recorded = Recorded::new(testbench.sink("out", Stall::Random(0.3)).unwrap());
+    let empty = recorded.replay(&whole).unwrap_err();
+    assert!(matches!(empty, FourStateError::Empty { .. }), "{empty}");
+    let Run { stimulus, .. } = Lockstep::new(&whole, golden(), 1).run(recorded).unwrap();
+    stimulus.replay(&whole).unwrap_or_else(|error| panic!("{error}"));
+    let cases = [
+        ("head <= 2'd0", "head <= 2'd0;", "", "`out_value` is xxxxxxxxxxxxxxxxx"),
+        ("out_value = front", "+", "-", "`out_value` is 11111111111111111 and should be 00000000000000001"),
+    ];
+    for (line, from, to, difference) in cases {
+        let error = stimulus.replay(&library(&inject(FIFO, line, from, to).unwrap())).unwrap_err().to_string();
+        assert!(error.contains(difference), "`{difference}` is missing in: {error}");
+    }
 }
 
 #[test]
