@@ -157,7 +157,8 @@ impl Synthesizer {
         Ok((entry, key))
     }
 
-    /// The clock of a unit with one seed. A core is placed and routed in two steps, each of which takes as long as many units.
+    /// The clock of a unit with one seed. Places and wires are of one run: a router that reads another run's places ends with
+    /// longer paths.
     fn route(
         &self,
         run: &Run<'_>,
@@ -166,20 +167,13 @@ impl Synthesizer {
     ) -> Result<Timing, SynthesisError> {
         let begin = Instant::now();
         let name = &run.unit.name;
-        let routed = match run.unit.scope {
-            Scope::Unit => self.step(run, synthesis, NETLIST, &[]),
-            Scope::Core(_) => {
-                let placed = self.step(run, synthesis, NETLIST, PLACE)?;
-                match self.step(run, &placed, PLACED, ROUTE) {
-                    Err(SynthesisError::Unroutable { divergence, .. }) => {
-                        let state = State::Diverged(divergence);
-                        let work = Work::PlaceAndRoute(run.seed);
-                        progress(&Step { unit: name, work, duration: begin.elapsed(), state });
-                        self.step(run, &placed, PLACED, ROUTE_OTHERWISE)
-                    }
-                    result => result,
-                }
+        let routed = match self.step(run, synthesis, NETLIST, &[]) {
+            Err(SynthesisError::Unroutable { divergence, .. }) if matches!(run.unit.scope, Scope::Core(_)) => {
+                let state = State::Diverged(divergence);
+                progress(&Step { unit: name, work: Work::PlaceAndRoute(run.seed), duration: begin.elapsed(), state });
+                self.step(run, synthesis, NETLIST, OTHER_ROUTER)
             }
+            result => result,
         };
         timing::parse(&read(&routed?.0.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: name.clone(), problem })
@@ -199,11 +193,7 @@ impl Synthesizer {
         let key = key(parts.into_iter().chain(arguments.iter().chain(options).copied()));
         let entry = self.cache.entry(&key, |content| {
             let copy = content.join(netlist);
-            if options == ROUTE_OTHERWISE {
-                write(&copy, &with_other_router(&read(&start.join(netlist))?))?;
-            } else {
-                fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
-            }
+            fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
             let files = ["--seed", &text, "--json", netlist, "--report", TIMING, "--log", ROUTING];
             let arguments = [&["-q", "--timing-allow-fail"], &files[..], &arguments, options].concat();
             let log = content.join(ROUTING);
@@ -223,11 +213,6 @@ struct Run<'a> {
     device: &'a Device,
     router: &'a Tool,
     seed: u32,
-}
-
-/// A placed design that is to be routed by nextpnr's other router: what it says of its router outweighs the argument.
-fn with_other_router(design: &str) -> String {
-    design.replacen(USUAL_ROUTER, OTHER_ROUTER, 1)
 }
 
 /// A unit in its shell. Its Verilog has no comments: what explains the hardware does not age what was measured of it.
@@ -258,22 +243,16 @@ pub fn source_hash(target: Target, unit: &MeasuredUnit) -> Result<String, Synthe
 const CELLS: &str = "cells.json";
 /// What yosys hands to place and route.
 const NETLIST: &str = "netlist.json";
-/// What placing hands to routing.
+/// A design as it is placed, for [`ESTIMATE`].
 const PLACED: &str = "placed.json";
-/// Arguments of place and route for the steps of a core.
+/// Arguments that leave the wires out.
 const PLACE: &[&str] = &["--no-route", "--write", PLACED];
-/// See there.
-const ROUTE: &[&str] = &["--no-pack", "--no-place"];
 /// What says how long all wires of a placed design may take.
 const ESTIMATE: &[&str] = &["--no-pack", "--no-place", "--no-route", "--sdf", DELAYS];
 /// See there.
 const DELAYS: &str = "delays.sdf";
-/// As [`ROUTE`]: where the usual router gets nowhere.
-const ROUTE_OTHERWISE: &[&str] = &["--no-pack", "--no-place", "--router", "router2"];
-/// How a placed design names its router.
-const USUAL_ROUTER: &str = r#""router": "router1""#;
-/// See there.
-const OTHER_ROUTER: &str = r#""router": "router2""#;
+/// Where the usual router gets nowhere.
+const OTHER_ROUTER: &[&str] = &["--router", "router2"];
 /// What place and route say on their way; a whole core takes them most of an hour.
 const ROUTING: &str = "route.log";
 /// What place and route report.
@@ -302,16 +281,6 @@ fn write(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_placed_design_is_given_to_the_other_router() {
-        // As nextpnr 0.11 writes it.
-        let placed = "{\n  \"modules\": {\n    \"top\": {\n      \"settings\": {\n        \"seed\": \"0101\",\n        \"router\": \"router1\",\n        \"placer\": \"static\"\n      }\n    }\n  }\n}";
-        let design: serde_json::Value = serde_json::from_str(&with_other_router(placed)).expect("it stays JSON");
-        let settings = &design["modules"]["top"]["settings"];
-        assert_eq!([&settings["router"], &settings["placer"], &settings["seed"]], ["router2", "static", "0101"]);
-        assert!(ROUTE_OTHERWISE.contains(&"router2"), "and the arguments, by which results are kept, say so");
-    }
 
     #[test]
     fn what_a_device_cannot_hold_is_said_before_it_is_placed() {
