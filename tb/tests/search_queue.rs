@@ -12,6 +12,9 @@ const QUERIES: u64 = 250;
 /// Numbers have more bits than that; what is above is for show.
 const NUMBERED: u64 = 256;
 
+/// So many of a distance's last bits differ where it is told from others by a hair.
+const HAIR_BITS: u32 = 6;
+
 /// The query of a thread.
 #[derive(Clone, Default)]
 struct Search {
@@ -19,10 +22,14 @@ struct Search {
     k: usize,
     radius2: f32,
     leaves_left: u32,
+    /// Those whose last beat is not done with.
+    under_way: u32,
+    /// Most of its points are as far as this word says, but for its last bits.
+    hair: Option<u64>,
     distances: Vec<f32>,
 }
 
-/// Threads that search a few leaves each, or none, whose beats follow each other.
+/// Threads that search a few leaves each, or none, as many at once as may be; of a leaf, beats follow each other.
 #[derive(Clone)]
 struct Searches {
     config: Config,
@@ -46,26 +53,41 @@ impl Searches {
                 k: start[2] as usize,
                 radius2,
                 leaves_left,
+                under_way: 0,
+                hair: feeds.random.bool().then(|| word(&self.config, distance2(&self.config, &mut feeds.random))),
                 distances: vec![],
             };
             feeds.feed("start", start);
         }
     }
 
-    fn leaf(&mut self, feeds: &mut Feeds, thread: u64) {
+    /// Whether the thread has another leaf, and its points come.
+    fn leaf(&mut self, feeds: &mut Feeds, thread: u64) -> bool {
         let search = &mut self.threads[thread as usize];
+        if search.leaves_left == 0 || search.under_way == self.config.leaves_in_flight {
+            return false;
+        }
         search.leaves_left -= 1;
-        let beats = feeds.random.u64(1..4);
+        search.under_way += 1;
+        let beats = feeds.random.u64(1..6);
         for beat in 0..beats {
             let mut item = vec![thread, feeds.random.u64(..1 << self.config.beat_bits()), u64::from(beat + 1 == beats)];
             for _ in 0..self.config.lanes {
-                let distance2 =
-                    if feeds.random.u8(..8) == 0 { f32::NAN } else { distance2(&self.config, &mut feeds.random) };
+                let random = &mut feeds.random;
+                let distance2 = match (random.u8(..8), search.hair) {
+                    (0, _) => f32::NAN,
+                    (1..7, Some(word)) => {
+                        let bits = random.u32(..=HAIR_BITS);
+                        number(&self.config, word ^ random.u64(..1 << bits))
+                    }
+                    _ => distance2(&self.config, random),
+                };
                 search.distances.push(distance2);
                 item.push(word(&self.config, distance2));
             }
             feeds.feed("candidates", item);
         }
+        true
     }
 }
 
@@ -74,9 +96,16 @@ impl Rule for Searches {
 
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
-            "start" | "radius" if self.threads[fields[0] as usize].leaves_left > 0 => self.leaf(feeds, fields[0]),
             "start" | "radius" => {
-                let search = &self.threads[fields[0] as usize];
+                let thread = fields[0];
+                if stream == "radius" {
+                    self.threads[thread as usize].under_way -= 1;
+                }
+                while self.leaf(feeds, thread) {}
+                let search = &self.threads[thread as usize];
+                if search.under_way > 0 {
+                    return;
+                }
                 let mut near = search.distances.clone();
                 near.retain(|&distance2| distance2 < search.radius2);
                 near.sort_by(f32::total_cmp);

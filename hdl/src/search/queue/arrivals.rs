@@ -26,7 +26,8 @@ pub(super) struct Caller {
     pub thread: Thread,
     /// It is of the thread of the beat before it.
     pub follows: bool,
-    /// It is of the thread of the beat before that one.
+    /// It is of the thread of the beat before that one; there is one thread alone otherwise, whose row is never driven out.
+    #[when(config.threads > 1)]
     pub follows_second: bool,
 }
 
@@ -35,14 +36,19 @@ impl Caller<Wires> {
     /// is asked late in a cycle.
     fn new(m: &mut Module, config: &Config, comes: Expr, thread: Expr) -> Self {
         let mut before = (bit(true), thread);
-        let [follows, follows_second] = ["last", "second_last"].map(|name| {
+        let mut is_of = |name: &str| {
             let is_known = m.reg_reset(&format!("{name}_known"), 1, 0);
-            let its_thread = m.reg(&format!("{name}_thread"), config.thread_bits());
             m.next_if(is_known, comes, before.0);
+            if config.threads == 1 {
+                return is_known.expr();
+            }
+            let its_thread = m.reg(&format!("{name}_thread"), config.thread_bits());
             m.next_if(its_thread, comes, before.1);
             before = (is_known.expr(), its_thread.expr());
             is_known & its_thread.eq(thread)
-        });
+        };
+        let follows = is_of("last");
+        let follows_second = if config.threads > 1 { is_of("second_last") } else { Expr::default() };
         Self { thread: Thread { thread }, follows, follows_second }
     }
 }
@@ -71,11 +77,12 @@ impl Arrivals {
         Candidates::choose(config, self.reads_first, first, second)
     }
 
-    /// The lanes of the head that are nearer than its limit and, where that counts, than `farthest`: of both beats all are compared.
-    pub fn near_lanes(&self, config: &Config, counts: Expr, farthest: Expr) -> Expr {
+    /// The lanes of the head that are nearer than its limit and, where that counts, than what is farthest: of both beats all are
+    /// compared.
+    pub fn near_lanes(&self, config: &Config, farthest: Option<(Expr, Expr)>) -> Expr {
         let [first, second] = self.places.each_ref().map(|place| {
             let Arrival { candidates, limit } = **place;
-            near_lanes(config, &candidates, &[(bit(true), limit), (counts, farthest)])
+            near_lanes(config, &candidates, std::iter::once((bit(true), limit)).chain(farthest))
         });
         self.callers.read_address.mux(second, first)
     }

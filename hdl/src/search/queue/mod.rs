@@ -74,7 +74,8 @@ impl Working {
             owner: m.reg("owner", config.thread_bits()),
             not_owner: m.reg("not_owner", config.thread_bits()),
             row: m.reg("working", row_bits(config)),
-            fresh: m.reg_reset("fresh", config.threads, 0),
+            // Not reset: a thread's first query sets it.
+            fresh: m.reg("fresh", config.threads),
         }
     }
 }
@@ -88,7 +89,8 @@ struct Inserted {
     radius: Pulse<Radius<Wires>>,
 }
 
-/// The farthest neighbor of the row that was the working row a cycle ago.
+/// The farthest neighbor of the row that was the working row a cycle ago. What is not nearer is no candidate, which saves cycles where
+/// a beat has several lanes; of one it is compared with the row anyway.
 struct Farthest {
     distance: Reg,
     thread: Reg,
@@ -130,7 +132,9 @@ impl Stages<'_> {
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
         let Self { arrivals: Arrivals { callers, .. }, beat, item, working, .. } = self;
         let Caller { thread: Thread { thread: head_thread }, follows, follows_second } = callers.head;
-        let driven_out = m.wire("driven_out", beat.valid & ((follows_second & !follows) & !beat.began));
+        let has_others = self.config.threads > 1;
+        let driven_out = has_others.then(|| beat.valid & ((follows_second & !follows) & !beat.began));
+        let driven_out = m.wire("driven_out", driven_out.unwrap_or(bit(false)));
         m.drive(free, !beat.valid | choice.ends);
         let take = m.wire("take", callers.holds & (free & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
@@ -141,17 +145,22 @@ impl Stages<'_> {
         m.next(beat.began, !take & (beat.began | fetch.moves));
         let follows_tail = (item.valid | working.owned) & tail.eq(head_thread);
         let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
-        let second_told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
-        m.assert("whom_a_beat_follows_is_told", !callers.holds | (told & second_told));
+        m.assert("whom_a_beat_follows_is_told", !callers.holds | told);
+        if has_others {
+            let told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
+            m.assert("whom_a_beat_follows_second_is_told", !callers.holds | told);
+        }
         (take, take_reads)
     }
 
     /// a: pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
-    fn arriving_lanes(&self, m: &mut Module, farthest: &Farthest, take_reads: Expr) -> Expr {
-        let is_farthest = farthest.thread.eq(self.arrivals.callers.head.thread.thread);
-        let will_be_known = farthest.is_current & (is_farthest & !take_reads);
-        let will_be_known = m.wire("farthest_will_be_known", will_be_known);
-        self.arrivals.near_lanes(self.config, will_be_known, *farthest.distance)
+    fn arriving_lanes(&self, m: &mut Module, farthest: Option<&Farthest>, take_reads: Expr) -> Expr {
+        let farthest = farthest.map(|farthest| {
+            let is_its = farthest.thread.eq(self.arrivals.callers.head.thread.thread);
+            let will_be_known = farthest.is_current & (is_its & !take_reads);
+            (m.wire("farthest_will_be_known", will_be_known), farthest.distance.expr())
+        });
+        self.arrivals.near_lanes(self.config, farthest)
     }
 
     /// b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
@@ -160,14 +169,17 @@ impl Stages<'_> {
         &self,
         m: &mut Module,
         fetch: &Fetch,
-        farthest: &Farthest,
+        farthest: Option<&Farthest>,
         start: &Pulse<Start<Wires>>,
     ) -> (Choice, Expr, Candidate) {
         let Self { config, beat, item, working, .. } = self;
         let thread = self.thread();
         let choice = Choice::new(m, config, beat, fetch.moves);
-        let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
-        let near = near_lanes(config, &beat.record, &[(is_known, *farthest.distance)]);
+        let farthest = farthest.map(|farthest| {
+            let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
+            (is_known, farthest.distance.expr())
+        });
+        let near = near_lanes(config, &beat.record, farthest.into_iter());
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
         m.next(item.valid, fetch.moves);
         m.next(item.reads, fetch.reads);
@@ -233,8 +245,11 @@ impl Stages<'_> {
     }
 
     /// e: what is farthest after it.
-    fn farthest(&self, m: &mut Module, inserted: &Inserted) -> Farthest {
+    fn farthest(&self, m: &mut Module, inserted: &Inserted) -> Option<Farthest> {
         let Self { config, working, beat, item, .. } = self;
+        if config.lanes == 1 {
+            return None;
+        }
         let distance = m.reg("farthest", inserted.farthest.width());
         let thread = m.reg("farthest_thread", config.thread_bits());
         let valid = m.reg_reset("farthest_valid", 1, 0);
@@ -242,7 +257,7 @@ impl Stages<'_> {
         m.next(thread, working.owner);
         m.next(valid, working.owned & !item.reads);
         let is_current = m.wire("farthest_is_current", valid & !(beat.reads | item.reads));
-        Farthest { distance, thread, is_current }
+        Some(Farthest { distance, thread, is_current })
     }
 
     /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both; of one thread alone
@@ -302,13 +317,13 @@ pub fn module(config: &Config) -> Module {
         Whose { fresh: *working.fresh, owned: *working.owned, owner: !working.not_owner, displaced: *item.reads };
     let readout = Readout::new(&mut m, config, &finish, &whose);
     let fetch = stages.fetch(&mut m, &start, &readout, finish.record.thread, &inserted);
-    let (choice, left, candidate) = stages.choose(&mut m, &fetch, &farthest, &start);
+    let (choice, left, candidate) = stages.choose(&mut m, &fetch, farthest.as_ref(), &start);
     let (take, take_reads) = stages.arrive(&mut m, free, &fetch, &choice);
     let writers = [start.into(), inserted.radius.into()];
     let limit = radii_now(&mut m, config, writers, candidates.record.place.thread.thread);
     let comes = candidates.transfer();
     arrivals.update(&mut m, config, comes, Arrival { candidates: candidates.record, limit }, take);
-    let arriving_lanes = stages.arriving_lanes(&mut m, &farthest, take_reads);
+    let arriving_lanes = stages.arriving_lanes(&mut m, farthest.as_ref(), take_reads);
     beat.next_pending(&mut m, take.mux(arriving_lanes, left));
     stages.compare(&mut m, candidate, &fetch, &inserted);
 

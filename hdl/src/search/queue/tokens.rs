@@ -57,9 +57,13 @@ pub(super) struct Choice {
 }
 
 /// The lanes of a beat that are nearer than each of the limits that counts.
-pub(super) fn near_lanes(config: &Config, beat: &Candidates<Wires>, limits: &[(Expr, Expr)]) -> Expr {
+pub(super) fn near_lanes(
+    config: &Config,
+    beat: &Candidates<Wires>,
+    limits: impl Iterator<Item = (Expr, Expr)> + Clone,
+) -> Expr {
     let is_near = |distance: Expr| {
-        let within = limits.iter().map(|(counts, limit)| !*counts | distance.lt(*limit));
+        let within = limits.clone().map(|(counts, limit)| !counts | distance.lt(limit));
         within.fold(bit(true), |all, one| all & one)
     };
     let near: Vec<_> = beat.distances[..config.lanes as usize].iter().copied().map(is_near).collect();
