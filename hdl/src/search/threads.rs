@@ -79,11 +79,11 @@ pub fn module(config: &Config) -> Module {
         m.next(outstanding, next);
         below.push(next.lt_lit(limit));
         none.push(next.is_zero());
-        let has_leaves = outstanding.any() | reached.bit(thread);
+        let ends = done.zext(count_bits + 1) + skip.zext(count_bits + 1);
         impossible.push([
-            leaf_ended.bit(thread) & !has_leaves,
+            outstanding.zext(count_bits + 1).lt(ends),
             reached.bit(thread) & !outstanding.lt_lit(limit),
-            released.bit(thread) & has_leaves,
+            released.bit(thread) & (outstanding.any() | reached.bit(thread)),
         ]);
     }
     let (below, none) = (set(&below), set(&none));
