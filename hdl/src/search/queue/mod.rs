@@ -56,12 +56,18 @@ fn queries(m: &mut Module, config: &Config, start: &Pulse<Start<Wires>>, thread:
     KeptQuery::unpack(config, word)
 }
 
-/// The working row and whose it is.
-struct Working {
+/// Whose the working row is.
+struct Owner {
     owned: Reg,
     owner: Reg,
     /// Its inverse, for who asks whose row it is: `owner` says where the row is written.
     not_owner: Reg,
+}
+
+/// The working row.
+struct Working {
+    /// Of one thread alone nobody asks.
+    owner: Option<Owner>,
     row: Reg,
     /// The threads whose rows hold nothing of their searches yet.
     fresh: Reg,
@@ -69,10 +75,13 @@ struct Working {
 
 impl Working {
     fn new(m: &mut Module, config: &Config) -> Self {
-        Self {
+        let owner = |m: &mut Module| Owner {
             owned: m.reg_reset("owned", 1, 0),
             owner: m.reg("owner", config.thread_bits()),
             not_owner: m.reg("not_owner", config.thread_bits()),
+        };
+        Self {
+            owner: (config.threads > 1).then(|| owner(m)),
             row: m.reg("working", row_bits(config)),
             // Not reset: a thread's first query sets it.
             fresh: m.reg("fresh", config.threads),
@@ -93,8 +102,7 @@ struct Inserted {
 /// a beat has several lanes; of one it is compared with the row anyway.
 struct Farthest {
     distance: Reg,
-    thread: Reg,
-    /// It still is the working row.
+    /// It still is the working row, and the row of the beat.
     is_current: Expr,
 }
 
@@ -132,33 +140,30 @@ impl Stages<'_> {
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
         let Self { arrivals: Arrivals { callers, .. }, beat, item, working, .. } = self;
         let Caller { thread: Thread { thread: head_thread }, follows, follows_second } = callers.head;
-        let has_others = self.config.threads > 1;
-        let driven_out = has_others.then(|| beat.valid & ((follows_second & !follows) & !beat.began));
+        let driven_out = working.owner.is_some().then(|| beat.valid & ((follows_second & !follows) & !beat.began));
         let driven_out = m.wire("driven_out", driven_out.unwrap_or(bit(false)));
         m.drive(free, !beat.valid | choice.ends);
         let take = m.wire("take", callers.holds & (free & !driven_out));
         m.next(beat.valid, take | (choice.stays | fetch.waits));
         // One that follows another is of the thread of what is behind that, which is known at the start of the cycle.
-        let tail = m.wire("tail", item.valid.mux(item.thread, !working.not_owner));
+        let not_owner = working.owner.as_ref().map(|owner| !owner.not_owner);
+        let tail = not_owner.map_or(head_thread, |owner| m.wire("tail", item.valid.mux(item.thread, owner)));
         let take_reads = !follows | (!beat.valid & contains(working.fresh, tail));
         m.next(beat.reads, take.mux(take_reads, beat.reads & fetch.waits));
         m.next(beat.began, !take & (beat.began | fetch.moves));
-        let follows_tail = (item.valid | working.owned) & tail.eq(head_thread);
-        let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
-        m.assert("whom_a_beat_follows_is_told", !callers.holds | told);
-        if has_others {
-            let told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
-            m.assert("whom_a_beat_follows_second_is_told", !callers.holds | told);
+        if let Some(Owner { owned, .. }) = working.owner {
+            let follows_tail = (item.valid | owned) & tail.eq(head_thread);
+            let told = beat.valid.mux(follows.eq(self.thread().eq(head_thread)), follows.eq(follows_tail));
+            let second_told = !beat.valid | (beat.began | follows_second.eq(follows_tail));
+            m.assert("whom_a_beat_follows_is_told", !callers.holds | (told & second_told));
         }
         (take, take_reads)
     }
 
     /// a: pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
     fn arriving_lanes(&self, m: &mut Module, farthest: Option<&Farthest>, take_reads: Expr) -> Expr {
-        let farthest = farthest.map(|farthest| {
-            let is_its = farthest.thread.eq(self.arrivals.callers.head.thread.thread);
-            let will_be_known = farthest.is_current & (is_its & !take_reads);
-            (m.wire("farthest_will_be_known", will_be_known), farthest.distance.expr())
+        let farthest = farthest.map(|Farthest { distance, is_current }| {
+            (m.wire("farthest_will_be_known", *is_current & !take_reads), distance.expr())
         });
         self.arrivals.near_lanes(self.config, farthest)
     }
@@ -175,10 +180,7 @@ impl Stages<'_> {
         let Self { config, beat, item, working, .. } = self;
         let thread = self.thread();
         let choice = Choice::new(m, config, beat, fetch.moves);
-        let farthest = farthest.map(|farthest| {
-            let is_known = m.wire("farthest_is_known", farthest.is_current & farthest.thread.eq(thread));
-            (is_known, farthest.distance.expr())
-        });
+        let farthest = farthest.map(|Farthest { distance, is_current }| (*is_current, distance.expr()));
         let near = near_lanes(config, &beat.record, farthest.into_iter());
         let left = m.wire("left", fetch.waits.mux(beat.pending, choice.rest & near));
         m.next(item.valid, fetch.moves);
@@ -224,10 +226,12 @@ impl Stages<'_> {
         let nearer = stored.map_or(now_or_initial, |stored| now_or_initial | stored);
         insertion.take(m, config, item, nearer, candidate);
         m.next(working.row, item.stays.mux(inserted.row, read(fetch.initial, fetch.stored)));
-        m.next_if(working.owner, item.valid, item.thread);
-        m.next_if(working.not_owner, item.valid, !item.thread);
-        m.next(working.owned, working.owned | item.valid);
-        m.assert("owner_or_not", !working.owned | (working.owner ^ working.not_owner).all());
+        if let Some(Owner { owned, owner, not_owner }) = working.owner {
+            m.next_if(owner, item.valid, item.thread);
+            m.next_if(not_owner, item.valid, !item.thread);
+            m.next(owned, owned | item.valid);
+            m.assert("owner_or_not", !owned | (owner ^ not_owner).all());
+        }
     }
 
     /// d: the neighbor is moved to its place in the working row.
@@ -251,13 +255,15 @@ impl Stages<'_> {
             return None;
         }
         let distance = m.reg("farthest", inserted.farthest.width());
-        let thread = m.reg("farthest_thread", config.thread_bits());
         let valid = m.reg_reset("farthest_valid", 1, 0);
         m.next(distance, inserted.farthest);
-        m.next(thread, working.owner);
-        m.next(valid, working.owned & !item.reads);
+        m.next(valid, !item.reads);
         let is_current = m.wire("farthest_is_current", valid & !(beat.reads | item.reads));
-        Some(Farthest { distance, thread, is_current })
+        if let Some(Owner { owned, owner, .. }) = working.owner {
+            let is_its = owned & owner.eq(self.thread());
+            m.assert("the_farthest_is_of_the_beat", !(beat.valid & is_current) | is_its);
+        }
+        Some(Farthest { distance, is_current })
     }
 
     /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both; of one thread alone
@@ -271,15 +277,14 @@ impl Stages<'_> {
         inserted: &Inserted,
     ) -> Fetch {
         let Self { config, working, beat, .. } = self;
-        let has_others = config.threads > 1;
-        let waits = m.wire("waits", if has_others { beat.reads & readout.reads } else { bit(false) });
+        let waits = m.wire("waits", if working.owner.is_some() { beat.reads & readout.reads } else { bit(false) });
         let moves = m.wire("moves", beat.valid & !waits);
         let reads = m.wire("reads", moves & beat.reads);
         let read_thread = m.wire("read_thread", readout.reads.mux(finished, self.thread()));
-        let stored = has_others.then(|| {
+        let stored = working.owner.as_ref().map(|Owner { owned, owner, .. }| {
             let rows = m.memory("rows", 1 << config.thread_bits(), row_bits(config));
             // What its row is can be written in every cycle: it is read again when its thread no longer owns the working row.
-            m.write(rows, working.owned, working.owner, inserted.row);
+            m.write(rows, *owned, *owner, inserted.row);
             m.read(rows, "stored", read_thread)
         });
         let query = queries(m, config, start, read_thread);
@@ -313,8 +318,8 @@ pub fn module(config: &Config) -> Module {
     // What a stage asks for comes from later ones.
     let inserted = stages.insert(&mut m);
     let farthest = stages.farthest(&mut m, &inserted);
-    let whose =
-        Whose { fresh: *working.fresh, owned: *working.owned, owner: !working.not_owner, displaced: *item.reads };
+    let owner = working.owner.as_ref().map(|owner| (owner.owned.expr(), !owner.not_owner));
+    let whose = Whose { fresh: *working.fresh, owner, displaced: *item.reads };
     let readout = Readout::new(&mut m, config, &finish, &whose);
     let fetch = stages.fetch(&mut m, &start, &readout, finish.record.thread, &inserted);
     let (choice, left, candidate) = stages.choose(&mut m, &fetch, farthest.as_ref(), &start);

@@ -10,7 +10,7 @@ use crate::search::parts::neighbor::with_sign;
 use crate::search::parts::sets::contains;
 use crate::units::ports::{Flow, PulseOutPorts, StreamOutPorts};
 use crate::units::wires::Wires;
-use rtl::{Expr, Module, Reg, address_width, lit};
+use rtl::{Expr, Module, Reg, address_width, bit, lit};
 
 /// Idle, *fetch* or *send*.
 pub(super) struct Readout {
@@ -20,7 +20,7 @@ pub(super) struct Readout {
     fetching: Reg,
     sending: Reg,
     idle: Reg,
-    from_working: Reg,
+    from_working: Option<Reg>,
     from_nothing: Reg,
     thread: Reg,
 }
@@ -28,8 +28,8 @@ pub(super) struct Readout {
 /// Whose row is where.
 pub(super) struct Whose {
     pub fresh: Expr,
-    pub owned: Expr,
-    pub owner: Expr,
+    /// Whether the working row is anybody's, and whose; of one thread alone nobody asks.
+    pub owner: Option<(Expr, Expr)>,
     /// The owner's row is written back in this cycle.
     pub displaced: Expr,
 }
@@ -49,19 +49,25 @@ impl Readout {
         let idle = m.reg_reset("readout_idle", 1, 1);
         let reads = m.wire("readout_reads", finish.valid & idle);
         let finished = finish.record.thread;
-        let owns = m.wire("finished_owns", rows.owned & rows.owner.eq(finished));
-        let starts = m.wire("readout_starts", reads & !(rows.displaced & owns));
+        let owns = |of: Expr| rows.owner.map(|(owned, owner)| owned & owner.eq(of));
+        let finished_owns = owns(finished).map(|owns| m.wire("finished_owns", owns));
+        let waits = finished_owns.map(|owns| rows.displaced & owns);
+        let starts = m.wire("readout_starts", waits.map_or(reads, |waits| reads & !waits));
         m.drive(finish.ready, starts);
         m.next(fetching, starts);
         let thread = m.reg("readout_thread", config.thread_bits());
         m.next_if(thread, starts, finished);
         // Where the row is does not change while it is fetched: its search is over, and it is not displaced.
-        let from_working = m.reg("fetch_from_working", 1);
-        m.next(from_working, owns);
+        let from_working = finished_owns.map(|owns| {
+            let from_working = m.reg("fetch_from_working", 1);
+            m.next(from_working, owns);
+            from_working
+        });
+        if let (Some(from_working), Some(owns_now)) = (from_working, owns(*thread)) {
+            m.assert("a_fetched_row_stays_where_it_is", !fetching | from_working.eq(owns_now));
+        }
         let from_nothing = m.reg("fetch_from_nothing", 1);
         m.next(from_nothing, contains(rows.fresh, finished));
-        let owns_now = rows.owned & rows.owner.eq(thread);
-        m.assert("a_fetched_row_stays_where_it_is", !fetching | from_working.eq(owns_now));
         m.assert("a_fetched_row_stays_fresh", !fetching | from_nothing.eq(contains(rows.fresh, thread)));
         Self { reads, starts, fetching, sending, idle, from_working, from_nothing, thread }
     }
@@ -69,7 +75,8 @@ impl Readout {
     /// Fetches the row from where it is and sends it.
     pub fn send(self, m: &mut Module, config: &Config, rows: &Rows, query: &KeptQuery<Wires>) {
         let Self { starts, fetching, sending, idle, from_working, from_nothing, thread, .. } = self;
-        let kept = rows.stored.map_or(rows.working, |stored| from_working.mux(rows.working, stored));
+        let stored = from_working.zip(rows.stored);
+        let kept = stored.map_or(rows.working, |(from_working, stored)| from_working.mux(rows.working, stored));
         let fetched = from_nothing.mux(rows.initial, kept);
         let row = m.reg("sent_row", row_bits(config));
         m.next_if(row, fetching, fetched);
@@ -77,29 +84,27 @@ impl Readout {
         m.next_if(number, fetching, query.number);
         PORTS.released.registered(m, config, fetching, Thread { thread: *thread });
 
-        let neighbors = config.neighbors;
-        let rank_bits = config.rank_bits();
-        // The next one's place is a register, too: whether there is a neighbor has to be found within the cycle.
-        let [position, next_position] = ["position", "next_position"].map(|name| m.reg(name, rank_bits));
         let transfer = m.forward("result_transfer", 1);
-        let first = |places: u32| lit(rank_bits + 1, places.into()).trunc(rank_bits) - query.k;
-        let moves = fetching | transfer;
-        m.next_if(position, moves, fetching.mux(first(neighbors), next_position));
-        m.next_if(next_position, moves, fetching.mux(first(neighbors + 1), next_position.add_lit(1)));
-
+        // Of a row of one neighbor that one is sent, found or not.
+        let places = (config.neighbors > 1).then(|| places(m, config, query.k, fetching, transfer.expr()));
         let words = entries(config, *row);
-        let entry_bits = address_width(neighbors);
-        let at = |position: Expr, value: fn(&Entry<Wires>) -> Expr| {
-            position.trunc(entry_bits).pick(words.iter().map(value).collect::<Vec<_>>())
+        let at = |position: Option<Reg>, value: fn(&Entry<Wires>) -> Expr| match position {
+            Some(position) => {
+                let entry = position.trunc(address_width(config.neighbors));
+                entry.pick(words.iter().map(value).collect::<Vec<_>>())
+            }
+            None => value(&words[0]),
         };
-        let at_end = position.eq_lit(neighbors as u128 - 1);
-        let last = m.wire("last_result", at_end | !at(*next_position, |entry| entry.found));
+        let position = places.map(|[position, _]| position);
+        let at_end = position.map_or(bit(true), |position| position.eq_lit(u128::from(config.neighbors) - 1));
+        let no_other = places.map_or(bit(true), |[_, next]| !at(Some(next), |entry| entry.found));
+        let last = m.wire("last_result", at_end | no_other);
         let result = QueryResult {
             number: *number,
             last,
-            found: at(*position, |entry| entry.found),
-            index: at(*position, |entry| entry.neighbor.index),
-            distance2: with_sign(at(*position, |entry| entry.neighbor.distance2)),
+            found: at(position, |entry| entry.found),
+            index: at(position, |entry| entry.neighbor.index),
+            distance2: with_sign(at(position, |entry| entry.neighbor.distance2)),
         };
         let ready = PORTS.result.drive(m, config, sending, result);
         m.drive(transfer, sending & ready);
@@ -108,4 +113,16 @@ impl Readout {
         m.next(idle, (idle & !starts) | ends);
         m.assert("idle_when_neither", idle.eq(!(fetching | sending)));
     }
+}
+
+/// The place in the row of the neighbor that is sent and of the next one, which is a register, too: whether there is a neighbor has to be
+/// found within the cycle. The first of `k` comes with what is fetched.
+fn places(m: &mut Module, config: &Config, k: Expr, fetching: Reg, transfer: Expr) -> [Reg; 2] {
+    let rank_bits = config.rank_bits();
+    let [position, next_position] = ["position", "next_position"].map(|name| m.reg(name, rank_bits));
+    let first = |places: u32| lit(rank_bits + 1, places.into()).trunc(rank_bits) - k;
+    let moves = fetching | transfer;
+    m.next_if(position, moves, fetching.mux(first(config.neighbors), next_position));
+    m.next_if(next_position, moves, fetching.mux(first(config.neighbors + 1), next_position.add_lit(1)));
+    [position, next_position]
 }
