@@ -8,7 +8,8 @@
 //!   the hash of all they depend on.
 //! - [`lockstep`] drives hardware and model with the same inputs and compares every output in every cycle. For units with streams it makes
 //!   the inputs itself, with random stalls; for whole cores a [`lockstep::Stimulus`] plays what is around them. A failure names cycle,
-//!   port, both values and the command that reproduces it, and replays the last cycles into a waveform.
+//!   port, both values and the command that reproduces it, and replays the last cycles into a waveform. What went well can be
+//!   [replayed](lockstep::Recorded) in four states, where what nothing has set is unknown.
 //! - [`cache`] keeps what tools make, shared by threads and processes; [`toolchain`] finds them and knows their versions.
 //! - [`scratch`] removes what is left of work that was interrupted.
 //! - [`skipped`] has tests that cannot run say so.

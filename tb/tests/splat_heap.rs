@@ -92,8 +92,10 @@ const EPOCHS: usize = 4;
 const OF_ONE_TILE: usize = 9;
 /// Entries that come last, each only where there are few: what moves in a large heap that holds a handful.
 const TRICKLED: usize = 4000;
-/// As many as there are then at most, with those in the queue behind.
+/// As many as there are then at most, with those in the queue behind; by turns there are fewer.
 const FEW: usize = 8;
+/// Entries that come before there are fewer, or more.
+const AS_FEW: usize = 50;
 /// Cycles in which a full heap takes nothing, to be sure that it is full: more than an operation takes.
 const FULL_CYCLES: u32 = 16;
 /// Entries that leave a heap at once, for the queue behind it.
@@ -108,7 +110,7 @@ struct Brim {
     entries: Vec<Vec<u64>>,
     sent: usize,
     received: Vec<Vec<u64>>,
-    /// Entries there are while they trickle.
+    /// Entries there are at most while they trickle.
     few: usize,
     /// Cycles in which an entry was refused.
     refused: u32,
@@ -137,7 +139,8 @@ impl Stimulus for Brim {
         }
         let [source, sink] = &mut self.stalls;
         // It fills as fast as it can, and an offer stands.
-        let are_enough = trickles && self.sent - self.received.len() >= self.few;
+        let few = 1 + self.sent / AS_FEW % self.few;
+        let are_enough = trickles && self.sent - self.received.len() >= few;
         let is_held_back = (are_enough || source.stalled() && self.held.is_some()) && (!was_offered || was_taken);
         let entry = self.entries.get(self.sent).filter(|_| !is_held_back);
         inputs[self.input.valid] = u64::from(entry.is_some());

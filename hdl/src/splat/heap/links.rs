@@ -99,9 +99,7 @@ pub(super) struct Promotion {
     /// The first of the chosen child and the carried entry.
     #[bits(place.format.width())]
     entry: u64,
-    /// The chosen child exists.
-    exists: bool,
-    /// It leaves before its parent's sibling.
+    /// The chosen child exists, and leaves before its parent's sibling.
     ahead: bool,
     /// It is the right one.
     right: bool,

@@ -123,7 +123,7 @@ impl Comparison {
         let step =
             Step { valid, hole, carry, right: left_full, left_exists, right_exists, follows, entry: last, sibling };
         let sibling_stays = before(m, "sibling_stays", compared.parent_sibling, chosen_key);
-        let promotion = Promotion { entry: first, exists, ahead: exists & !sibling_stays, right, childless };
+        let promotion = Promotion { entry: first, ahead: exists & !sibling_stays, right, childless };
         Self { exists, chosen, sibling_mark, carried, carried_first, before_sibling, below, step, promotion }
     }
 
@@ -193,10 +193,11 @@ impl Written {
         };
         let side = m.wire("side", number.bit(0));
         let entry = m.wire("entry_to_store", entry);
-        let filled_first = (carry | promoted.exists) & (!sibling_exists | ahead | promoted.ahead);
+        // Where nothing fills the hole its place is empty: which of the two is first and what lies below mean nothing.
+        let filled_first = !sibling_exists | ahead | promoted.ahead;
         let is_first = m.wire("is_first", hole.mux(filled_first, ahead));
         let first_side = m.wire("first_side", side ^ !is_first);
-        let leaves = hole & !carry & promoted.exists;
+        let leaves = hole & !carry;
         let comes = !hole & existed;
         let mark = first_side ^ (sibling_exists & sibling_mark);
         let mut node = Node { entry, mark, below };
