@@ -144,7 +144,8 @@ impl Comparison {
                 Below { right_below: right_below & exists, left_count: left_count & exists.repeat(left_count.width()) };
         }
         let write_back = WriteBack {
-            valid: valid & (exists | !hole),
+            // Where there is no child, what is written means nothing; where there is no level, nothing is.
+            valid: if place.has_lower() { valid } else { valid & lower },
             hole,
             carry,
             existed: exists,
