@@ -38,8 +38,13 @@ fn any_words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand:
     let format = config.format;
     let is_wild = random.u8(..4) == 0;
     let few_bits = random.u8(..4) == 0;
+    let mut integer = 0;
     let mut word = |width: u32| {
         let word = random.u64(..) >> (64 - width);
+        if width != format.width() && random.bool() {
+            integer = if random.bool() { word } else { (integer + random.u64(..2)) & (u64::MAX >> (64 - width)) };
+            return integer;
+        }
         let exponent = random.i32(format.bias() - 6..format.bias() + 4) as u64;
         let is_tame = width == format.width() && !(is_wild && random.u8(..8) == 0);
         match random.u8(..8) {
