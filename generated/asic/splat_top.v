@@ -4862,7 +4862,7 @@ module splat_heap (
     wire [26:0] stage_0_below_sibling;
     wire [1:0] stage_0_below_row;
     wire [36:0] stage_2_promoted_entry;
-    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
+    wire stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
     wire [1:0] stage_2_promoted_node;
     wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
     wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
@@ -4870,7 +4870,7 @@ module splat_heap (
     wire [26:0] stage_2_below_sibling;
     wire [3:0] stage_2_below_row;
     wire [36:0] stage_4_promoted_entry;
-    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
+    wire stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
     wire [3:0] stage_4_promoted_node;
     wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
     wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
@@ -4878,7 +4878,7 @@ module splat_heap (
     wire [26:0] stage_4_below_sibling;
     wire [5:0] stage_4_below_row;
     wire [36:0] stage_6_promoted_entry;
-    wire stage_6_promoted_exists, stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
+    wire stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
     wire [5:0] stage_6_promoted_node;
     wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
     wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
@@ -4886,7 +4886,7 @@ module splat_heap (
     wire [26:0] stage_6_below_sibling;
     wire [7:0] stage_6_below_row;
     wire [36:0] stage_8_promoted_entry;
-    wire stage_8_promoted_exists, stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
+    wire stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
     wire [7:0] stage_8_promoted_node;
 
     wire begins = ~lower;
@@ -4913,9 +4913,9 @@ module splat_heap (
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(27'd0),
         .newcomer_lap(newcomer_lap),
-        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
-        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
-        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
+        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_ahead(stage_2_promoted_ahead),
+        .below_promoted_right(stage_2_promoted_right), .below_promoted_childless(stage_2_promoted_childless),
+        .below_promoted_node(stage_2_promoted_node),
         .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
         .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
         .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
@@ -4929,12 +4929,12 @@ module splat_heap (
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
         .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
-        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
-        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
-        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
-        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
-        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
-        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
+        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_ahead(stage_4_promoted_ahead),
+        .below_promoted_right(stage_4_promoted_right), .below_promoted_childless(stage_4_promoted_childless),
+        .below_promoted_node(stage_4_promoted_node),
+        .promoted_entry(stage_2_promoted_entry), .promoted_ahead(stage_2_promoted_ahead),
+        .promoted_right(stage_2_promoted_right), .promoted_childless(stage_2_promoted_childless),
+        .promoted_node(stage_2_promoted_node),
         .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
         .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
         .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
@@ -4948,12 +4948,12 @@ module splat_heap (
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
         .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
-        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_exists(stage_6_promoted_exists),
-        .below_promoted_ahead(stage_6_promoted_ahead), .below_promoted_right(stage_6_promoted_right),
-        .below_promoted_childless(stage_6_promoted_childless), .below_promoted_node(stage_6_promoted_node),
-        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
-        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
-        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node),
+        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_ahead(stage_6_promoted_ahead),
+        .below_promoted_right(stage_6_promoted_right), .below_promoted_childless(stage_6_promoted_childless),
+        .below_promoted_node(stage_6_promoted_node),
+        .promoted_entry(stage_4_promoted_entry), .promoted_ahead(stage_4_promoted_ahead),
+        .promoted_right(stage_4_promoted_right), .promoted_childless(stage_4_promoted_childless),
+        .promoted_node(stage_4_promoted_node),
         .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
         .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
         .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
@@ -4967,12 +4967,12 @@ module splat_heap (
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
         .step_entry(stage_4_below_entry), .step_sibling(stage_4_below_sibling), .step_row(stage_4_below_row),
-        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_exists(stage_8_promoted_exists),
-        .below_promoted_ahead(stage_8_promoted_ahead), .below_promoted_right(stage_8_promoted_right),
-        .below_promoted_childless(stage_8_promoted_childless), .below_promoted_node(stage_8_promoted_node),
-        .promoted_entry(stage_6_promoted_entry), .promoted_exists(stage_6_promoted_exists),
-        .promoted_ahead(stage_6_promoted_ahead), .promoted_right(stage_6_promoted_right),
-        .promoted_childless(stage_6_promoted_childless), .promoted_node(stage_6_promoted_node),
+        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_ahead(stage_8_promoted_ahead),
+        .below_promoted_right(stage_8_promoted_right), .below_promoted_childless(stage_8_promoted_childless),
+        .below_promoted_node(stage_8_promoted_node),
+        .promoted_entry(stage_6_promoted_entry), .promoted_ahead(stage_6_promoted_ahead),
+        .promoted_right(stage_6_promoted_right), .promoted_childless(stage_6_promoted_childless),
+        .promoted_node(stage_6_promoted_node),
         .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
         .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
         .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
@@ -4986,9 +4986,9 @@ module splat_heap (
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
         .step_entry(stage_6_below_entry), .step_sibling(stage_6_below_sibling), .step_row(stage_6_below_row),
-        .promoted_entry(stage_8_promoted_entry), .promoted_exists(stage_8_promoted_exists),
-        .promoted_ahead(stage_8_promoted_ahead), .promoted_right(stage_8_promoted_right),
-        .promoted_childless(stage_8_promoted_childless), .promoted_node(stage_8_promoted_node)
+        .promoted_entry(stage_8_promoted_entry), .promoted_ahead(stage_8_promoted_ahead),
+        .promoted_right(stage_8_promoted_right), .promoted_childless(stage_8_promoted_childless),
+        .promoted_node(stage_8_promoted_node)
     );
 
     always @(posedge clk) begin
@@ -5039,8 +5039,8 @@ module splat_heap_stage_l8 (
     input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
     input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
     input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [7:0] step_row,
-    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node
+    output wire [36:0] promoted_entry, output wire promoted_ahead, output wire promoted_right,
+    output wire promoted_childless, output wire [7:0] promoted_node
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -5078,12 +5078,11 @@ module splat_heap_stage_l8 (
     wire [9:0] side_choice = lower ? last_row_before : {1'd0, row_before};
     wire side = side_choice[0];
     wire [36:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire is_first_choice = lower ? 1'd0 : compared_exists;
     wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
+    wire is_first = write_back_hole ? is_first_either : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_both = write_back_hole & ~write_back_carry;
     wire node_to_store_choice = lower ? 1'd0 : compared_right;
     wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
     wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
@@ -5111,7 +5110,6 @@ module splat_heap_stage_l8 (
     wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
     assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
     assign promoted_childless = promoted_childless_inverted;
@@ -5137,7 +5135,7 @@ module splat_heap_stage_l8 (
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid;
         end
     end
     always @(posedge clk) begin
@@ -5185,11 +5183,11 @@ module splat_heap_stage_l6 (
     input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
     input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
     input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [5:0] step_row,
-    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
-    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_ahead,
+    input  wire below_promoted_right, input wire below_promoted_childless,
+    input  wire [7:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_ahead, output wire promoted_right,
+    output wire promoted_childless, output wire [5:0] promoted_node,
     output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
     output wire below_left_exists, output wire below_right_exists, output wire below_follows,
     output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [7:0] below_row
@@ -5240,16 +5238,15 @@ module splat_heap_stage_l6 (
     wire newer = compared_follows_choice & write_back_valid;
     wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
     wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
     wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
+    wire is_first = write_back_hole ? is_first_either : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
     wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_both = write_back_hole & ~write_back_carry;
     wire node_to_store_choice = lower ? below_promoted_right : compared_right;
     wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
     wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
@@ -5267,7 +5264,6 @@ module splat_heap_stage_l6 (
     wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
     assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
     assign promoted_childless = promoted_childless_inverted;
@@ -5303,7 +5299,7 @@ module splat_heap_stage_l6 (
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid;
         end
     end
     always @(posedge clk) begin
@@ -5349,11 +5345,11 @@ module splat_heap_stage_l4 (
     input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
     input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
     input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [3:0] step_row,
-    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
-    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_ahead,
+    input  wire below_promoted_right, input wire below_promoted_childless,
+    input  wire [5:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_ahead, output wire promoted_right,
+    output wire promoted_childless, output wire [3:0] promoted_node,
     output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
     output wire below_left_exists, output wire below_right_exists, output wire below_follows,
     output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [5:0] below_row
@@ -5404,16 +5400,15 @@ module splat_heap_stage_l4 (
     wire newer = compared_follows_choice & write_back_valid;
     wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
     wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
     wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
+    wire is_first = write_back_hole ? is_first_either : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
     wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_both = write_back_hole & ~write_back_carry;
     wire node_to_store_choice = lower ? below_promoted_right : compared_right;
     wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
     wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
@@ -5431,7 +5426,6 @@ module splat_heap_stage_l4 (
     wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
     assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
     assign promoted_childless = promoted_childless_inverted;
@@ -5467,7 +5461,7 @@ module splat_heap_stage_l4 (
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid;
         end
     end
     always @(posedge clk) begin
@@ -5513,11 +5507,11 @@ module splat_heap_stage_l2 (
     input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
     input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
     input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [1:0] step_row,
-    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
-    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_ahead,
+    input  wire below_promoted_right, input wire below_promoted_childless,
+    input  wire [3:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_ahead, output wire promoted_right,
+    output wire promoted_childless, output wire [1:0] promoted_node,
     output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
     output wire below_left_exists, output wire below_right_exists, output wire below_follows,
     output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [3:0] below_row
@@ -5568,16 +5562,15 @@ module splat_heap_stage_l2 (
     wire newer = compared_follows_choice & write_back_valid;
     wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
     wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
     wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
+    wire is_first = write_back_hole ? is_first_either : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
     wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_both = write_back_hole & ~write_back_carry;
     wire node_to_store_choice = lower ? below_promoted_right : compared_right;
     wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
     wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
@@ -5595,7 +5588,6 @@ module splat_heap_stage_l2 (
     wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
     assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
     assign promoted_childless = promoted_childless_inverted;
@@ -5631,7 +5623,7 @@ module splat_heap_stage_l2 (
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid;
         end
     end
     always @(posedge clk) begin
@@ -5678,9 +5670,9 @@ module splat_heap_stage_l0 (
     input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
     input  wire [36:0] step_entry, input wire [26:0] step_sibling,
     input  wire newcomer_lap,
-    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_ahead,
+    input  wire below_promoted_right, input wire below_promoted_childless,
+    input  wire [1:0] below_promoted_node,
     output wire [36:0] root,
     output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
     output wire below_left_exists, output wire below_right_exists, output wire below_follows,
@@ -5728,21 +5720,19 @@ module splat_heap_stage_l0 (
     wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
     wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
     wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
     wire [25:0] sibling_stays_bits = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
     wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits < before_chosen_bits_2);
-    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
+    wire is_first_choice = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
+    wire is_first = write_back_hole ? (~write_back_sibling_exists | write_back_ahead | is_first_choice) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
     wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [1:0] next_row = {row, goes_right};
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_both = write_back_hole & ~write_back_carry;
     wire node_to_store_choice = lower ? below_promoted_right : compared_right;
     wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
     wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
@@ -5792,7 +5782,7 @@ module splat_heap_stage_l0 (
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid;
         end
     end
     always @(posedge clk) begin

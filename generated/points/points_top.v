@@ -6886,7 +6886,6 @@ module search_queue (
     reg new_last;
     reg [3:0] new_thread;
     reg [30:0] farthest;
-    reg [3:0] farthest_thread;
     reg farthest_valid, fetching, sending, readout_idle;
     reg [3:0] readout_thread;
     reg fetch_from_working, fetch_from_nothing;
@@ -7147,8 +7146,7 @@ module search_queue (
     wire [15:0] fresh_shifted_by_tail = fresh >> tail;
     wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & fresh_shifted_by_tail[0]);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == callers_head[5:2]) & ~farthest_will_be_known_either;
-    wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
+    wire farthest_will_be_known = farthest_is_current & ~farthest_will_be_known_either;
     wire beat_pending_both = (second_distance3 < second_limit) & (~farthest_will_be_known | (second_distance3 < farthest));
     wire beat_pending_both_2 = (second_distance2 < second_limit) & (~farthest_will_be_known | (second_distance2 < farthest));
     wire beat_pending_both_3 = (second_distance1 < second_limit) & (~farthest_will_be_known | (second_distance1 < farthest));
@@ -7161,10 +7159,11 @@ module search_queue (
     wire [3:0] beat_pending_bits_2 = {beat_pending_both_5, beat_pending_both_6, beat_pending_both_7, beat_pending_both_8};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
-    wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire [3:0] left_bits = {
-        ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
-        ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
+        ~farthest_is_current | (beat_distance3 < farthest),
+        ~farthest_is_current | (beat_distance2 < farthest),
+        ~farthest_is_current | (beat_distance1 < farthest),
+        ~farthest_is_current | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & left_bits);
     wire [3:0] beat_pending_choice = take ? (callers_read_address ? beat_pending_bits : beat_pending_bits_2) : left;
@@ -7325,7 +7324,6 @@ module search_queue (
             callers_has_room <= 1'd1;
             reads_first <= 1'd1;
             owned <= 1'd0;
-            fresh <= 16'd0;
             beat_valid <= 1'd0;
             beat_reads <= 1'd0;
             beat_began <= 1'd0;
@@ -7355,7 +7353,6 @@ module search_queue (
             callers_count <= (callers_count + {1'd0, callers_write_address_enable_both}) - {1'd0, take};
             callers_has_room <= take | ~callers_has_room_either;
             owned <= owned | item_valid;
-            fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);
             beat_reads <= take ? farthest_will_be_known_either : (beat_reads & waits);
             beat_began <= ~take & (beat_began | moves);
@@ -7370,7 +7367,7 @@ module search_queue (
             new_last <= item_last;
             radius_valid <= new_last;
             event_insert <= nearer[31];
-            farthest_valid <= owned & ~item_reads;
+            farthest_valid <= ~item_reads;
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
@@ -7416,6 +7413,7 @@ module search_queue (
             not_owner <= ~item_thread;
         end
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
+        fresh <= (fresh & ~fresh_bits) | query_set;
         beat_pending <= beat_pending_choice;
         beat_settled <= ~beat_pending_choice;
         item_thread <= beat_thread;
@@ -7426,7 +7424,6 @@ module search_queue (
         radius_thread <= new_thread;
         radius_radius2 <= radius_radius2_choice;
         farthest <= radius_radius2_choice;
-        farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_distance2_inverse <= item_distance2_inverse_inverted;
@@ -7469,8 +7466,9 @@ module search_queue (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, fetch_from_nothing_shifted[15:1], first_limit_shifted[15:1], fresh_shifted_by_beat_thread[15:1],
-        fresh_shifted_by_tail[15:1], start_radius2[31], start_x, start_y, start_z
+        1'b0, callers_head[5:2], fetch_from_nothing_shifted[15:1], first_limit_shifted[15:1],
+        fresh_shifted_by_beat_thread[15:1], fresh_shifted_by_tail[15:1], start_radius2[31], start_x, start_y,
+        start_z
     };
 
 `ifdef RTL_ASSERT
@@ -7483,6 +7481,7 @@ module search_queue (
 `ifdef FORMAL
         start_radius2_in_range: assert (~start_valid | (start_radius2 < 32'h80000000));
         k_fits_a_row: assert (~start_valid | (|start_k & (start_k <= 6'd32)));
+        the_farthest_is_of_the_beat: assert (~(beat_valid & farthest_is_current) | (owned & (owner == beat_thread)));
         a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))));
         a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
         whom_a_beat_follows_is_told: assert (~(|callers_count) | check_both_2);
@@ -7496,6 +7495,9 @@ module search_queue (
         end
         if (!(~start_valid | (|start_k & (start_k <= 6'd32)))) begin
             $display("assertion failed: k_fits_a_row in %m"); $stop;
+        end
+        if (!(~(beat_valid & farthest_is_current) | (owned & (owner == beat_thread)))) begin
+            $display("assertion failed: the_farthest_is_of_the_beat in %m"); $stop;
         end
         if (!(~fetching | (fetch_from_working == (owned & (~not_owner == readout_thread))))) begin
             $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
@@ -9864,29 +9866,63 @@ module search_threads (
     end
 
 `ifdef RTL_ASSERT
+    wire check_in_order = {1'd0, outstanding_15} < ({2'd0, leaf_done_set[15]} + {2'd0, skipped_set[15]});
+    wire check_in_order_2 = {1'd0, outstanding_14} < ({2'd0, leaf_done_set[14]} + {2'd0, skipped_set[14]});
+    wire check_in_order_3 = {1'd0, outstanding_13} < ({2'd0, leaf_done_set[13]} + {2'd0, skipped_set[13]});
+    wire check_in_order_4 = {1'd0, outstanding_12} < ({2'd0, leaf_done_set[12]} + {2'd0, skipped_set[12]});
+    wire check_in_order_5 = {1'd0, outstanding_11} < ({2'd0, leaf_done_set[11]} + {2'd0, skipped_set[11]});
+    wire check_in_order_6 = {1'd0, outstanding_10} < ({2'd0, leaf_done_set[10]} + {2'd0, skipped_set[10]});
+    wire check_in_order_7 = {1'd0, outstanding_9} < ({2'd0, leaf_done_set[9]} + {2'd0, skipped_set[9]});
+    wire check_in_order_8 = {1'd0, outstanding_8} < ({2'd0, leaf_done_set[8]} + {2'd0, skipped_set[8]});
+    wire check_in_order_9 = {1'd0, outstanding_7} < ({2'd0, leaf_done_set[7]} + {2'd0, skipped_set[7]});
+    wire check_in_order_10 = {1'd0, outstanding_6} < ({2'd0, leaf_done_set[6]} + {2'd0, skipped_set[6]});
+    wire check_in_order_11 = {1'd0, outstanding_5} < ({2'd0, leaf_done_set[5]} + {2'd0, skipped_set[5]});
+    wire check_in_order_12 = {1'd0, outstanding_4} < ({2'd0, leaf_done_set[4]} + {2'd0, skipped_set[4]});
+    wire check_in_order_13 = {1'd0, outstanding_3} < ({2'd0, leaf_done_set[3]} + {2'd0, skipped_set[3]});
+    wire check_in_order_14 = {1'd0, outstanding_2} < ({2'd0, leaf_done_set[2]} + {2'd0, skipped_set[2]});
+    wire check_in_order_15 = {1'd0, outstanding_1} < ({2'd0, leaf_done_set[1]} + {2'd0, skipped_set[1]});
+    wire check_in_order_16 = {1'd0, outstanding_0} < ({2'd0, leaf_done_set[0]} + {2'd0, skipped_set[0]});
     wire [15:0] check_bits = {
-        leaf_ended[15] & ~(|outstanding_15 | reached_set[15]),
-        leaf_ended[14] & ~(|outstanding_14 | reached_set[14]),
-        leaf_ended[13] & ~(|outstanding_13 | reached_set[13]),
-        leaf_ended[12] & ~(|outstanding_12 | reached_set[12]),
-        leaf_ended[11] & ~(|outstanding_11 | reached_set[11]),
-        leaf_ended[10] & ~(|outstanding_10 | reached_set[10]),
-        leaf_ended[9] & ~(|outstanding_9 | reached_set[9]),
-        leaf_ended[8] & ~(|outstanding_8 | reached_set[8]),
-        leaf_ended[7] & ~(|outstanding_7 | reached_set[7]),
-        leaf_ended[6] & ~(|outstanding_6 | reached_set[6]),
-        leaf_ended[5] & ~(|outstanding_5 | reached_set[5]),
-        leaf_ended[4] & ~(|outstanding_4 | reached_set[4]),
-        leaf_ended[3] & ~(|outstanding_3 | reached_set[3]),
-        leaf_ended[2] & ~(|outstanding_2 | reached_set[2]),
-        leaf_ended[1] & ~(|outstanding_1 | reached_set[1]),
-        leaf_ended[0] & ~(|outstanding_0 | reached_set[0])
+        check_in_order, check_in_order_2, check_in_order_3, check_in_order_4, check_in_order_5,
+        check_in_order_6, check_in_order_7, check_in_order_8, check_in_order_9, check_in_order_10,
+        check_in_order_11, check_in_order_12, check_in_order_13, check_in_order_14, check_in_order_15,
+        check_in_order_16
+    };
+    wire [15:0] check_bits_2 = {
+        reached_set[15] & ~(outstanding_15 < 2'd2), reached_set[14] & ~(outstanding_14 < 2'd2),
+        reached_set[13] & ~(outstanding_13 < 2'd2), reached_set[12] & ~(outstanding_12 < 2'd2),
+        reached_set[11] & ~(outstanding_11 < 2'd2), reached_set[10] & ~(outstanding_10 < 2'd2),
+        reached_set[9] & ~(outstanding_9 < 2'd2), reached_set[8] & ~(outstanding_8 < 2'd2),
+        reached_set[7] & ~(outstanding_7 < 2'd2), reached_set[6] & ~(outstanding_6 < 2'd2),
+        reached_set[5] & ~(outstanding_5 < 2'd2), reached_set[4] & ~(outstanding_4 < 2'd2),
+        reached_set[3] & ~(outstanding_3 < 2'd2), reached_set[2] & ~(outstanding_2 < 2'd2),
+        reached_set[1] & ~(outstanding_1 < 2'd2), reached_set[0] & ~(outstanding_0 < 2'd2)
+    };
+    wire [15:0] check_bits_3 = {
+        released_set[15] & (|outstanding_15 | reached_set[15]),
+        released_set[14] & (|outstanding_14 | reached_set[14]),
+        released_set[13] & (|outstanding_13 | reached_set[13]),
+        released_set[12] & (|outstanding_12 | reached_set[12]),
+        released_set[11] & (|outstanding_11 | reached_set[11]),
+        released_set[10] & (|outstanding_10 | reached_set[10]),
+        released_set[9] & (|outstanding_9 | reached_set[9]),
+        released_set[8] & (|outstanding_8 | reached_set[8]),
+        released_set[7] & (|outstanding_7 | reached_set[7]),
+        released_set[6] & (|outstanding_6 | reached_set[6]),
+        released_set[5] & (|outstanding_5 | reached_set[5]),
+        released_set[4] & (|outstanding_4 | reached_set[4]),
+        released_set[3] & (|outstanding_3 | reached_set[3]),
+        released_set[2] & (|outstanding_2 | reached_set[2]),
+        released_set[1] & (|outstanding_1 | reached_set[1]),
+        released_set[0] & (|outstanding_0 | reached_set[0])
     };
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         query_radius2_in_range: assert (~query_valid | (query_radius2 < 32'h80000000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
+        no_more_leaves_are_under_way: assert (~(|check_bits_2));
+        threads_are_released_without_leaves: assert (~(|check_bits_3));
         a_free_thread_is_told: assert (any_free == ~(&busy));
 `else
         if (!(~query_valid | (query_radius2 < 32'h80000000))) begin
@@ -9894,6 +9930,12 @@ module search_threads (
         end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
+        end
+        if (!(~(|check_bits_2))) begin
+            $display("assertion failed: no_more_leaves_are_under_way in %m"); $stop;
+        end
+        if (!(~(|check_bits_3))) begin
+            $display("assertion failed: threads_are_released_without_leaves in %m"); $stop;
         end
         if (!(any_free == ~(&busy))) begin
             $display("assertion failed: a_free_thread_is_told in %m"); $stop;

@@ -286,9 +286,7 @@ module search_queue (
     reg [7:0] nearer;
     reg new_last;
     reg [1:0] new_thread;
-    reg [22:0] farthest;
-    reg [1:0] farthest_thread;
-    reg farthest_valid, fetching, sending, readout_idle;
+    reg fetching, sending, readout_idle;
     reg [1:0] readout_thread;
     reg fetch_from_working, fetch_from_nothing;
     wire [319:0] stored;
@@ -381,17 +379,11 @@ module search_queue (
     };
     wire [1:0] tail = item_valid ? item_thread : ~not_owner;
     wire [3:0] fresh_shifted_by_tail = fresh >> tail;
-    wire farthest_will_be_known_either = ~callers_head[1] | (~beat_valid & fresh_shifted_by_tail[0]);
-    wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known_both = (farthest_thread == callers_head[3:2]) & ~farthest_will_be_known_either;
-    wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
-    wire beat_pending_both = (second_distance0 < second_limit) & (~farthest_will_be_known | (second_distance0 < farthest));
-    wire beat_pending_both_2 = (first_distance0 < first_limit) & (~farthest_will_be_known | (first_distance0 < farthest));
+    wire beat_pending_choice = callers_read_address ? (second_distance0 < second_limit) : (first_distance0 < first_limit);
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
-    wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
-    wire beat_pending_choice = take ? (callers_read_address ? beat_pending_both : beat_pending_both_2) : left;
+    wire left = waits ? beat_pending : rest;
+    wire beat_pending_choice_2 = take ? beat_pending_choice : left;
     wire moves_and_beat_pending = moves & beat_pending;
     wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
     wire nearer_in_order = ~item_distance2_inverse_reset < working[262:240];
@@ -464,7 +456,6 @@ module search_queue (
             callers_has_room <= 1'd1;
             reads_first <= 1'd1;
             owned <= 1'd0;
-            fresh <= 4'd0;
             beat_valid <= 1'd0;
             beat_reads <= 1'd0;
             beat_began <= 1'd0;
@@ -479,7 +470,6 @@ module search_queue (
             new_last <= 1'd0;
             radius_valid <= 1'd0;
             event_insert <= 1'd0;
-            farthest_valid <= 1'd0;
             fetching <= 1'd0;
             sending <= 1'd0;
             readout_idle <= 1'd1;
@@ -493,9 +483,8 @@ module search_queue (
             callers_count <= (callers_count + {1'd0, callers_write_address_enable_both}) - {1'd0, take};
             callers_has_room <= take | ~callers_has_room_either;
             owned <= owned | item_valid;
-            fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | waits;
-            beat_reads <= take ? farthest_will_be_known_either : (beat_reads & waits);
+            beat_reads <= take ? (~callers_head[1] | (~beat_valid & fresh_shifted_by_tail[0])) : (beat_reads & waits);
             beat_began <= ~take & (beat_began | moves);
             item_valid <= moves;
             item_reads <= reads;
@@ -508,7 +497,6 @@ module search_queue (
             new_last <= item_last;
             radius_valid <= new_last;
             event_insert <= nearer[7];
-            farthest_valid <= owned & ~item_reads;
             fetching <= readout_starts;
             sending <= fetching | (sending & ~result_ends);
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
@@ -547,7 +535,8 @@ module search_queue (
             not_owner <= ~item_thread;
         end
         working <= item_stays ? inserted_row : item_fresh ? initial_row : stored;
-        beat_pending <= beat_pending_choice;
+        fresh <= (fresh & ~fresh_bits) | query_set;
+        beat_pending <= beat_pending_choice_2;
         item_thread <= beat_thread;
         item_fresh <= fresh_shifted_by_beat_thread[0];
         new_index <= item_index;
@@ -555,8 +544,6 @@ module search_queue (
         new_thread <= item_thread;
         radius_thread <= new_thread;
         radius_radius2 <= radius_radius2_choice;
-        farthest <= radius_radius2_choice;
-        farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_distance2_inverse <= ~beat_distance0;
@@ -596,8 +583,9 @@ module search_queue (
     always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, fetch_from_nothing_shifted[3:1], first_limit_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
-        fresh_shifted_by_tail[3:1], start_radius2[23], start_x, start_y, start_z
+        1'b0, callers_head[3:2], fetch_from_nothing_shifted[3:1], first_limit_shifted[3:1],
+        fresh_shifted_by_beat_thread[3:1], fresh_shifted_by_tail[3:1], start_radius2[23], start_x, start_y,
+        start_z
     };
 
 `ifdef RTL_ASSERT
@@ -608,7 +596,7 @@ module search_queue (
     wire check_choice = beat_valid ? (callers_head[1] == (beat_thread == callers_head[3:2])) : (callers_head[1] == check_both);
     wire check_both_2 = check_choice & (~beat_valid | (beat_began | (callers_head[0] == check_both)));
 
-    always @(posedge clk) beat_settled <= ~beat_pending_choice;
+    always @(posedge clk) beat_settled <= ~beat_pending_choice_2;
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
@@ -2402,15 +2390,28 @@ module search_threads (
     end
 
 `ifdef RTL_ASSERT
-    wire [3:0] check_bits = {
-        leaf_ended[3] & ~(outstanding_3 | reached_set[3]), leaf_ended[2] & ~(outstanding_2 | reached_set[2]),
-        leaf_ended[1] & ~(outstanding_1 | reached_set[1]), leaf_ended[0] & ~(outstanding_0 | reached_set[0])
+    wire check_in_order = {1'd0, outstanding_3} < ({1'd0, leaf_done_set[3]} + {1'd0, skipped_set[3]});
+    wire check_in_order_2 = {1'd0, outstanding_2} < ({1'd0, leaf_done_set[2]} + {1'd0, skipped_set[2]});
+    wire check_in_order_3 = {1'd0, outstanding_1} < ({1'd0, leaf_done_set[1]} + {1'd0, skipped_set[1]});
+    wire check_in_order_4 = {1'd0, outstanding_0} < ({1'd0, leaf_done_set[0]} + {1'd0, skipped_set[0]});
+    wire [3:0] check_bits = {check_in_order, check_in_order_2, check_in_order_3, check_in_order_4};
+    wire [3:0] check_bits_2 = {
+        reached_set[3] & ~(outstanding_3 < 1'd1), reached_set[2] & ~(outstanding_2 < 1'd1),
+        reached_set[1] & ~(outstanding_1 < 1'd1), reached_set[0] & ~(outstanding_0 < 1'd1)
+    };
+    wire [3:0] check_bits_3 = {
+        released_set[3] & (outstanding_3 | reached_set[3]),
+        released_set[2] & (outstanding_2 | reached_set[2]),
+        released_set[1] & (outstanding_1 | reached_set[1]),
+        released_set[0] & (outstanding_0 | reached_set[0])
     };
 
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         query_radius2_in_range: assert (~query_valid | (query_radius2 < 24'h800000));
         leaves_are_reached_before_they_end: assert (~(|check_bits));
+        no_more_leaves_are_under_way: assert (~(|check_bits_2));
+        threads_are_released_without_leaves: assert (~(|check_bits_3));
         a_free_thread_is_told: assert (any_free == ~(&busy));
 `else
         if (!(~query_valid | (query_radius2 < 24'h800000))) begin
@@ -2418,6 +2419,12 @@ module search_threads (
         end
         if (!(~(|check_bits))) begin
             $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
+        end
+        if (!(~(|check_bits_2))) begin
+            $display("assertion failed: no_more_leaves_are_under_way in %m"); $stop;
+        end
+        if (!(~(|check_bits_3))) begin
+            $display("assertion failed: threads_are_released_without_leaves in %m"); $stop;
         end
         if (!(any_free == ~(&busy))) begin
             $display("assertion failed: a_free_thread_is_told in %m"); $stop;
