@@ -12,6 +12,8 @@ use crate::splat::{Device, RUNS, configs, scene, stalls};
 use crate::support::cases;
 
 const COPIES: usize = 1500;
+/// Pauses of the side that is not as fast as the other, by turns: long enough to fill its queue, or so many that it is nearly always full.
+const SLOW: [Stall; 3] = [Stall::Random(0.3), Stall::Bursts(100), Stall::Random(0.9)];
 
 /// End records without what else they carry.
 fn bare_end(copy: SplatCopy) -> SplatCopy {
@@ -40,11 +42,13 @@ fn it_agrees_with_the_model_and_copies_go_to_their_side() {
         let mut random = scene::random();
         let copy = |index| SplatCopy { end: index % 100 == 99, ..scene::noise(&config, &mut random) };
         let copies: Vec<SplatCopy> = (0..COPIES).map(copy).collect();
-        for seed in seeds(RUNS).unwrap() {
+        for seed in seeds(4 * RUNS).unwrap() {
+            let [slow, other] = [SLOW[seed as usize % SLOW.len()], stalls(seed + 1)];
+            let [low, high] = if seed % 2 == 0 { [slow, other] } else { [other, slow] };
             let bench = StreamTestbench::new(device.library(), seed);
             let sent = copies.iter().map(|copy| words(&config, *copy)).collect();
             let bench = bench.source("in", sent, stalls(seed)).unwrap();
-            let bench = bench.sink("low", Stall::Random(0.3)).unwrap().sink("high", stalls(seed + 1)).unwrap();
+            let bench = bench.sink("low", low).unwrap().sink("high", high).unwrap();
             let model = Ported::new(&config, Distributor::new(&config, level));
             let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
             for (side, name) in (0..).zip(["low", "high"]) {
