@@ -24,9 +24,10 @@ pub(super) struct Arrival {
 pub(super) struct Caller {
     /// Its thread.
     pub thread: Thread,
-    /// It is of the thread of the beat before it.
+    /// It is of the thread of the beat before it. All are of a thread that is alone, which reads its row for its first one anyway.
+    #[when(config.threads > 1)]
     pub follows: bool,
-    /// It is of the thread of the beat before that one; there is one thread alone otherwise, whose row is never driven out.
+    /// It is of the thread of the beat before that one.
     #[when(config.threads > 1)]
     pub follows_second: bool,
 }
@@ -35,20 +36,18 @@ impl Caller<Wires> {
     /// Of a beat that comes in where `comes` is set. Of which threads those before it were is compared here, for behind the queue it
     /// is asked late in a cycle.
     fn new(m: &mut Module, config: &Config, comes: Expr, thread: Expr) -> Self {
+        if config.threads == 1 {
+            return Self { thread: Thread { thread }, ..Self::zeros(config) };
+        }
         let mut before = (bit(true), thread);
-        let mut is_of = |name: &str| {
+        let [follows, follows_second] = ["last", "second_last"].map(|name| {
             let is_known = m.reg_reset(&format!("{name}_known"), 1, 0);
-            m.next_if(is_known, comes, before.0);
-            if config.threads == 1 {
-                return is_known.expr();
-            }
             let its_thread = m.reg(&format!("{name}_thread"), config.thread_bits());
+            m.next_if(is_known, comes, before.0);
             m.next_if(its_thread, comes, before.1);
             before = (is_known.expr(), its_thread.expr());
             is_known & its_thread.eq(thread)
-        };
-        let follows = is_of("last");
-        let follows_second = if config.threads > 1 { is_of("second_last") } else { Expr::default() };
+        });
         Self { thread: Thread { thread }, follows, follows_second }
     }
 }

@@ -140,6 +140,7 @@ impl Stages<'_> {
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
         let Self { arrivals: Arrivals { callers, .. }, beat, item, working, .. } = self;
         let Caller { thread: Thread { thread: head_thread }, follows, follows_second } = callers.head;
+        let follows = if working.owner.is_some() { follows } else { bit(true) };
         let driven_out = working.owner.is_some().then(|| beat.valid & ((follows_second & !follows) & !beat.began));
         let driven_out = m.wire("driven_out", driven_out.unwrap_or(bit(false)));
         m.drive(free, !beat.valid | choice.ends);

@@ -136,7 +136,8 @@ impl Comparison {
         let is_leaf = if place.continues() || !place.has_lower() { bit(false) } else { !lower };
         let kept = (self.carried_first ^ (hole & is_leaf)).mux(self.carried, self.chosen);
         let inserted = self.carried_first & (self.before_sibling | !sibling_exists);
-        let stays = exists & was_first;
+        // What is inserted in a level that has none below finds an empty place.
+        let stays = if place.has_lower() { exists & was_first } else { bit(false) };
         let mut below = Below::default();
         if place.has_lower() {
             let Below { right_below, left_count } = self.below;
@@ -184,9 +185,10 @@ impl Written {
             let entry = hole.mux(promoted.entry, own);
             (promoted, entry, lower.mux(BELOW_PROMOTED_NODE.declare_word(m, bits), own_number))
         } else {
-            // Nothing is promoted to the last level.
-            let promoted = Bundle::choose(place, lower, Bundle::zeros(place), comparison.promotion);
-            let entry = (hole & !lower).mux(comparison.promotion.entry, own);
+            // Nothing is promoted to the last level, where only `ahead` is asked.
+            let promotion = comparison.promotion;
+            let promoted = Promotion { ahead: promotion.ahead & !lower, ..promotion };
+            let entry = (hole & !lower).mux(promotion.entry, own);
             let [last, last_before] = ["last_row", "last_row_before"].map(|name| m.reg(name, bits));
             pace.next(m, last, stage.next_row);
             pace.next(m, last_before, last);
