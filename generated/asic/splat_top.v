@@ -5078,17 +5078,15 @@ module splat_heap_stage_l8 (
     wire [9:0] side_choice = lower ? last_row_before : {1'd0, row_before};
     wire side = side_choice[0];
     wire [36:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (promoted_ahead_both & ~lower);
     wire is_first = write_back_hole ? is_first_either : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
     wire node_to_store_both = write_back_hole & ~write_back_carry;
-    wire node_to_store_choice = lower ? 1'd0 : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
+    wire node_to_store_both_2 = node_to_store_both & compared_right & promoted_childless_inverted;
     wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & compared_right);
+    wire node_to_store_either_2 = (node_to_store_both & ~compared_right) | (node_to_store_both_3 & ~compared_right);
     wire [39:0] node_to_store = {
         entry_to_store, node_to_store_unequal, node_to_store_either,
         write_back_left_count + node_to_store_either_2
