@@ -157,8 +157,7 @@ impl Synthesizer {
         Ok((entry, key))
     }
 
-    /// The clock of a unit with one seed. Places and wires are of one run: a router that reads another run's places ends with
-    /// longer paths.
+    /// The clock of a unit with one seed. Places and wires are of one run, as they are in packages.
     fn route(
         &self,
         run: &Run<'_>,
