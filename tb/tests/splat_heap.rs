@@ -6,7 +6,9 @@ use pointcore_contract::words;
 use pointcore_golden::splat::Heap;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::heap;
-use pointcore_tb::lockstep::{Flow, Recorded, Run, Stall, Stalls, Stimulus, StreamPorts, StreamTestbench, Streams, seeds};
+use pointcore_tb::lockstep::{
+    Flow, Recorded, Run, Stall, Stalls, Stimulus, StreamPorts, StreamTestbench, Streams, seeds,
+};
 
 use crate::splat::{Device, RUNS, scene, stalls};
 
